@@ -1,0 +1,116 @@
+//! The number the tracer computes with: f32 or f64.
+
+use core::fmt::Debug;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// What the tracer asks of its numbers; implemented for f32 and f64.
+pub trait Float:
+    Copy
+    + Debug
+    + PartialOrd
+    + Send
+    + Sync
+    + 'static
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    const ZERO: Self;
+    const ONE: Self;
+    /// The distance from one to the next greater number.
+    const ULP: Self;
+    const INFINITY: Self;
+
+    /// The nearest number to a literal; costs nothing once inlined.
+    fn lit(x: f64) -> Self;
+    fn from_u32(x: u32) -> Self;
+    fn to_f64(self) -> f64;
+    /// The greatest integer that is not above `self`, saturating.
+    fn floor(self) -> i32;
+    fn sqrt(self) -> Self;
+    fn tan(self) -> Self;
+    /// `self` to any power, for a non-negative base.
+    fn powf(self, exponent: Self) -> Self;
+
+    fn abs(self) -> Self {
+        if self < Self::ZERO { -self } else { self }
+    }
+
+    fn max(self, other: Self) -> Self {
+        if other > self { other } else { self }
+    }
+
+    /// `self` to a power from 1 to 4096, a shininess, for a non-negative base.
+    /// Whole exponents, the usual ones, go by repeated squaring, which is many
+    /// times cheaper than the general power without hardware floating point.
+    fn pow(self, exponent: Self) -> Self {
+        let mut whole = exponent.floor().unsigned_abs();
+        if Self::from_u32(whole) != exponent {
+            return self.powf(exponent);
+        }
+        let (mut square, mut power) = (self, Self::ONE);
+        loop {
+            if whole & 1 == 1 {
+                power = power * square;
+            }
+            whole >>= 1;
+            if whole == 0 {
+                return power;
+            }
+            square = square * square;
+        }
+    }
+}
+
+macro_rules! float {
+    ($float:ident, $sqrt:path, $tan:path, $pow:path) => {
+        impl Float for $float {
+            const ZERO: Self = 0.0;
+            const ONE: Self = 1.0;
+            const ULP: Self = $float::EPSILON;
+            const INFINITY: Self = $float::INFINITY;
+
+            #[inline]
+            fn lit(x: f64) -> Self {
+                x as $float
+            }
+
+            #[inline]
+            fn from_u32(x: u32) -> Self {
+                x as $float
+            }
+
+            fn to_f64(self) -> f64 {
+                self.into()
+            }
+
+            #[inline]
+            fn floor(self) -> i32 {
+                let toward_zero = self as i32;
+                if toward_zero as $float > self {
+                    toward_zero.saturating_sub(1)
+                } else {
+                    toward_zero
+                }
+            }
+
+            #[inline]
+            fn sqrt(self) -> Self {
+                $sqrt(self)
+            }
+
+            fn tan(self) -> Self {
+                $tan(self)
+            }
+
+            fn powf(self, exponent: Self) -> Self {
+                $pow(self, exponent)
+            }
+        }
+    };
+}
+
+float!(f32, libm::sqrtf, libm::tanf, libm::powf);
+float!(f64, libm::sqrt, libm::tan, libm::pow);
