@@ -1,0 +1,127 @@
+//! Linear colors, and the products of the formats that tracing uses.
+
+use crate::Real;
+use crate::num::{Factor, Radiance};
+
+/// A linear color: red, green, blue.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Color<T> {
+    /// Red.
+    pub r: T,
+    /// Green.
+    pub g: T,
+    /// Blue.
+    pub b: T,
+}
+
+impl<T> Color<T> {
+    /// The color (r, g, b).
+    pub const fn new(r: T, g: T, b: T) -> Self {
+        Self { r, g, b }
+    }
+
+    #[inline(always)]
+    pub(crate) fn map<U>(self, f: impl Fn(T) -> U) -> Color<U> {
+        Color::new(f(self.r), f(self.g), f(self.b))
+    }
+
+    #[inline(always)]
+    pub(crate) fn zip<U, V>(self, other: Color<U>, f: impl Fn(T, U) -> V) -> Color<V> {
+        Color::new(f(self.r, other.r), f(self.g, other.g), f(self.b, other.b))
+    }
+
+    /// Whether `f` holds for every channel.
+    #[inline(always)]
+    pub(crate) fn all(self, f: impl Fn(T) -> bool) -> bool {
+        f(self.r) && f(self.g) && f(self.b)
+    }
+}
+
+impl Color<Real> {
+    /// The same in each channel.
+    pub const fn gray(value: Real) -> Self {
+        Self::new(value, value, value)
+    }
+
+    /// A constant, from decimal literals: `Color::lit("0.16", "0.33", "0.68")`.
+    ///
+    /// In a constant a malformed literal is a compile error.
+    pub const fn lit(r: &str, g: &str, b: &str) -> Self {
+        Self::new(Real::lit(r), Real::lit(g), Real::lit(b))
+    }
+}
+
+/// Every product of colors is one 32-bit multiply: factors are at most 2^15.
+#[inline(always)]
+pub(crate) fn product(a: Factor, b: Factor) -> Factor {
+    Factor::from_bits(((u32::from(a.to_bits()) * u32::from(b.to_bits()) + (1 << 14)) >> 15) as u16)
+}
+
+impl Color<Factor> {
+    pub(crate) const WHITE: Self = Self::new(Factor::ONE, Factor::ONE, Factor::ONE);
+    pub(crate) const BLACK: Self = Self::new(Factor::ZERO, Factor::ZERO, Factor::ZERO);
+
+    #[inline(always)]
+    pub(crate) fn is_black(self) -> bool {
+        self.all(|c| c == Factor::ZERO)
+    }
+
+    /// Channel by channel, rounded.
+    #[inline(always)]
+    pub(crate) fn filtered(self, filter: Self) -> Self {
+        self.zip(filter, product)
+    }
+
+    /// `coefficient * intensity * color`: what a surface reflects of a light.
+    ///
+    /// `U1F15 * U1F15 -> U1F15, * U1F15 -> U2F30`; never above 1.
+    #[inline(always)]
+    pub(crate) fn reflect(self, intensity: Factor, light: Self) -> Color<Radiance> {
+        self.zip(light, |coefficient, light| {
+            let light = u32::from(product(light, intensity).to_bits());
+            Radiance::from_bits(u32::from(coefficient.to_bits()) * light)
+        })
+    }
+
+    /// `weight * radiance`: `U1F15 * (U2F30 -> U2F15) -> U2F30`; all of it
+    /// for a weight of 1, which eye rays have.
+    #[inline(always)]
+    pub(crate) fn weigh(self, radiance: Color<Radiance>) -> Color<Radiance> {
+        if self == Self::WHITE {
+            return radiance;
+        }
+        self.zip(radiance, |weight, radiance| {
+            Radiance::from_bits(u32::from(weight.to_bits()) * (radiance.to_bits() >> 15))
+        })
+    }
+}
+
+impl Color<Radiance> {
+    pub(crate) const BLACK: Self = Self::new(Radiance::ZERO, Radiance::ZERO, Radiance::ZERO);
+
+    /// The sum, saturating just below 4.
+    #[inline(always)]
+    pub(crate) fn plus(self, other: Self) -> Self {
+        self.zip(other, Radiance::saturating_add)
+    }
+
+    /// Brighter by a power of two, saturating.
+    #[inline(always)]
+    pub(crate) fn brightened(self, exponent: u32) -> Self {
+        self.map(|c| {
+            let bits = c.to_bits();
+            Radiance::from_bits(if bits.leading_zeros() < exponent {
+                u32::MAX
+            } else {
+                bits << exponent
+            })
+        })
+    }
+}
+
+impl From<Color<Factor>> for Color<Radiance> {
+    #[inline(always)]
+    fn from(color: Color<Factor>) -> Self {
+        color.map(|c| Radiance::from_bits(u32::from(c.to_bits()) << 15))
+    }
+}

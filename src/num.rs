@@ -1,0 +1,319 @@
+//! Number formats, and the roots and reciprocals that all else is built on.
+//!
+//! | format | is | range | step |
+//! |---|---|---|---|
+//! | [`Real`] | authored numbers | ±2^31 | 2^-32 |
+//! | [`Length`] | positions and distances of a prepared scene | ±8 | 2^-28 |
+//! | [`Unit`] | components of unit vectors, cosines | ±2 | 2^-30 |
+//! | [`Factor`] | coefficients, weights, light colors | 0 to 1 | 2^-15 |
+//! | [`Radiance`] | what comes back along a ray | 0 to 4 | 2^-30 |
+//!
+//! No operation divides: the M0+ has no divider. A reciprocal and a reciprocal
+//! root start from a table of quadratics that is exact to 2^-17 and take one
+//! Newton step. The tables are computed by the compiler, in integers.
+
+/// An authored number: the range and precision of a scene as it is written
+/// down, ±2^31 in steps of 2^-32.
+pub type Real = fixed::types::I32F32;
+
+/// A position or a distance in a prepared scene, whose finite geometry lies
+/// within ±1: ±8 in steps of 2^-28.
+pub(crate) type Length = fixed::types::I4F28;
+
+/// A component of a unit vector or a cosine: ±2 in steps of 2^-30.
+pub(crate) type Unit = fixed::types::I2F30;
+
+/// A coefficient, a weight or the color of a light: 0 to 1 in steps of 2^-15.
+///
+/// Sixteen bits, so that the product of two fits a 32-bit multiply.
+pub(crate) type Factor = fixed::types::U1F15;
+
+/// Linear radiance of one channel: 0 to just below 4 in steps of 2^-30,
+/// saturating. White is 1.
+pub type Radiance = fixed::types::U2F30;
+
+/// A positive number as `mantissa * 2^exponent`, the mantissa's top bit set.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Scaled {
+    pub(crate) mantissa: u32,
+    pub(crate) exponent: i32,
+}
+
+impl Scaled {
+    /// The number as an integer; it must fit.
+    pub(crate) fn to_bits(self) -> i64 {
+        let mantissa = i64::from(self.mantissa);
+        if self.exponent < 0 {
+            mantissa >> (-self.exponent).min(63)
+        } else {
+            mantissa << self.exponent
+        }
+    }
+}
+
+/// A table has 32 segments for each factor of two, or what is left of it.
+const SEGMENTS: usize = 32;
+
+const ROOT_SEGMENTS: usize = 48;
+
+/// A quadratic through the two ends and the middle of a segment, in 2^-20.
+type Quadratic = [i32; 3];
+
+const fn quadratic(start: u64, middle: u64, end: u64) -> Quadratic {
+    let (c0, middle, end) = (start as i32, middle as i32, end as i32);
+    [c0, 4 * middle - 3 * c0 - end, 2 * (c0 + end) - 4 * middle]
+}
+
+/// 1/x in 2^-20, x in 2^-10.
+const fn reciprocal_at(x: u64) -> u64 {
+    below_two(((1 << 31) / x).div_ceil(2))
+}
+
+/// 1/sqrt(x) in 2^-20, x in 2^-10.
+const fn reciprocal_root_at(x: u64) -> u64 {
+    below_two(((1 << 62) / x).isqrt().div_ceil(1 << 6))
+}
+
+/// What fits `U1F31` once shifted.
+const fn below_two(x: u64) -> u64 {
+    if x >> 21 == 0 { x } else { (1 << 21) - 1 }
+}
+
+/// Of 1/x over [1/2, 1), by the five bits below the top one.
+static RECIPROCAL: [Quadratic; SEGMENTS] = {
+    let mut table = [[0; 3]; SEGMENTS];
+    let mut i = 0;
+    while i < SEGMENTS {
+        let x = 512 + 16 * i as u64;
+        table[i] = quadratic(
+            reciprocal_at(x),
+            reciprocal_at(x + 8),
+            reciprocal_at(x + 16),
+        );
+        i += 1;
+    }
+    table
+};
+
+/// Of 1/sqrt(x) over [1/4, 1), by the top six bits less 16.
+static RECIPROCAL_ROOT: [Quadratic; ROOT_SEGMENTS] = {
+    let mut table = [[0; 3]; ROOT_SEGMENTS];
+    let mut i = 0;
+    while i < ROOT_SEGMENTS {
+        let x = 256 + 16 * i as u64;
+        table[i] = quadratic(
+            reciprocal_root_at(x),
+            reciprocal_root_at(x + 8),
+            reciprocal_root_at(x + 16),
+        );
+        i += 1;
+    }
+    table
+};
+
+/// The quadratic at `x`, the next 14 bits of the argument.
+#[inline(always)]
+fn evaluate([c0, c1, c2]: Quadratic, x: i32) -> u32 {
+    (c0 + (((c1 + ((c2 * x) >> 14)) * x) >> 14)) as u32
+}
+
+/// 1/x for x in [1/2, 1) as `U0F32`: in (1, 2] as `U1F31`, the 2 saturated.
+///
+/// Relative error below 2^-30.
+#[inline]
+pub(crate) fn reciprocal(x: u32) -> u32 {
+    debug_assert!(x >> 31 == 1);
+    let segment = RECIPROCAL[(x >> 26) as usize & (SEGMENTS - 1)];
+    let y = evaluate(segment, (x >> 12) as i32 & 0x3fff) << 11;
+    // e = 1 - x*y: U0F32 * U1F31 -> Q63, and |e| < 2^-16 leaves 47 bits of it.
+    let e = (1_i64 << 63).wrapping_sub(wide(x, y) as i64) >> 16;
+    // y + y*e: U1F31 * Q47 -> U1F31
+    let step = (i64::from(y) * i64::from(e as i32)) >> 47;
+    saturate(i64::from(y) + step)
+}
+
+/// 1/sqrt(x) for x in [1/4, 1) as `U0F32`: in (1, 2] as `U1F31`, the 2 saturated.
+///
+/// Relative error below 2^-30.
+#[inline]
+pub(crate) fn reciprocal_root(x: u32) -> u32 {
+    debug_assert!(x >> 30 != 0);
+    // 16 to 63, less 16; `min` tells the compiler that the index is in range.
+    let index = ((x >> 26) as usize).wrapping_sub(16).min(ROOT_SEGMENTS - 1);
+    let y = evaluate(RECIPROCAL_ROOT[index], (x >> 12) as i32 & 0x3fff) << 11;
+    // e = 1 - x*y*y: U1F31^2 -> U2F30, * U0F32 -> Q62, and |e| < 2^-15 leaves 48 bits of it.
+    let square = (wide(y, y) >> 32) as u32;
+    let e = (1_i64 << 62).wrapping_sub(wide(x, square) as i64) >> 16;
+    // y + y*e/2: U1F31 * Q46 -> U1F31
+    let step = (i64::from(y) * i64::from(e as i32)) >> 47;
+    saturate(i64::from(y) + step)
+}
+
+#[inline(always)]
+fn saturate(x: i64) -> u32 {
+    if x >> 32 == 0 { x as u32 } else { u32::MAX }
+}
+
+/// The full product of two words.
+#[inline(always)]
+pub(crate) fn wide(a: u32, b: u32) -> u64 {
+    u64::from(a) * u64::from(b)
+}
+
+/// 1/sqrt(x): `x` is an integer, and the result in units of 2^-32 times the
+/// scaled mantissa. A zero counts as one.
+#[inline]
+pub(crate) fn inverse_length(square: u64) -> InverseLength {
+    let square = square.max(1);
+    let shift = square.leading_zeros() & !1;
+    let x = ((square << shift) >> 32) as u32;
+    InverseLength {
+        normalized: x,
+        inverse: reciprocal_root(x),
+        half_shift: shift / 2,
+    }
+}
+
+/// The reciprocal root of an integer `n`, scaled so that
+/// `n = normalized * 2^(32 - 2*half_shift)`.
+#[derive(Clone, Copy)]
+pub(crate) struct InverseLength {
+    /// `U0F32` in [1/4, 1).
+    normalized: u32,
+    /// Its reciprocal root, `U1F31`.
+    pub(crate) inverse: u32,
+    pub(crate) half_shift: u32,
+}
+
+impl InverseLength {
+    /// sqrt(n), relative error below 2^-29, rounded to an integer.
+    #[inline]
+    pub(crate) fn length(self) -> u32 {
+        // U0F32 * U1F31 -> Q63 in [1/2, 1), times 2^(32 - half_shift)
+        let root = wide(self.normalized, self.inverse);
+        let shift = 31 + self.half_shift;
+        ((root + (1 << (shift - 1))) >> shift).min(u64::from(u32::MAX)) as u32
+    }
+}
+
+/// sqrt(x), rounded, relative error below 2^-29: of a square in steps of
+/// 2^-2k, the root in steps of 2^-k.
+#[inline]
+pub(crate) fn square_root(x: u64) -> u32 {
+    if x == 0 {
+        0
+    } else {
+        inverse_length(x).length()
+    }
+}
+
+/// base^exponent for a base of 0 to 1 as `U1F31` and an exponent from 1 as
+/// `U16F16`: as `U1F31`.
+///
+/// By squaring for the integer part of the exponent and by roots for its
+/// fraction. The error is below 2^-30 times the exponent plus 16.
+pub(crate) fn power(base: u32, exponent: u32) -> u32 {
+    const ONE: u32 = 1 << 31;
+    // U1F31 * U1F31 -> U1F31, rounded
+    let multiply = |a, b| ((wide(a, b) + (1 << 30)) >> 31) as u32;
+    let mut result = ONE;
+    let mut square = base;
+    let mut integer = exponent >> 16;
+    while integer != 0 && square != 0 {
+        if integer & 1 == 1 {
+            result = multiply(result, square);
+        }
+        square = multiply(square, square);
+        integer >>= 1;
+    }
+    if integer != 0 {
+        return 0;
+    }
+    let mut root = base;
+    let mut fraction = exponent << 16;
+    while fraction != 0 {
+        // sqrt of 2^-62 is in 2^-31
+        root = square_root(u64::from(root) << 31);
+        if fraction >> 31 == 1 {
+            result = multiply(result, root);
+        }
+        fraction <<= 1;
+    }
+    result
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+    use super::*;
+
+    /// Every exponent and segment, both ends of each, and a million between.
+    fn words() -> impl Iterator<Item = u32> {
+        let edges = (0..32).flat_map(|bit| {
+            let x = 1_u32 << bit;
+            [x, x.wrapping_sub(1), x + 1, !x]
+        });
+        let segments = (0..64_u32).flat_map(|i| {
+            let x = i << 26;
+            [x, x.wrapping_sub(1), x + 1, x + (1 << 25)]
+        });
+        let mut state = 1_u32;
+        let random = (0..1_000_000).map(move |_| {
+            state ^= state << 13;
+            state ^= state >> 17;
+            state ^= state << 5;
+            state
+        });
+        edges.chain(segments).chain(random)
+    }
+
+    #[test]
+    fn reciprocals_hold_their_bound() {
+        for word in words() {
+            let x = word | 1 << 31;
+            let exact = 2_f64.powi(63) / f64::from(x);
+            let error = (f64::from(reciprocal(x)) - exact) / exact;
+            assert!(error.abs() < 2_f64.powi(-30), "{x:#x}: {error:e}");
+        }
+    }
+
+    #[test]
+    fn reciprocal_roots_hold_their_bound() {
+        for word in words() {
+            for x in [word | 1 << 31, word >> 1 | 1 << 30] {
+                let exact = 2_f64.powi(31) / (f64::from(x) / 2_f64.powi(32)).sqrt();
+                let error = (f64::from(reciprocal_root(x)) - exact) / exact;
+                assert!(error.abs() < 2_f64.powi(-30), "{x:#x}: {error:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn square_roots_hold_their_bound() {
+        for (high, low) in words().zip(words().skip(1)) {
+            let x = u64::from(high) << 32 | u64::from(low);
+            for x in [x, x >> 17, x >> 32, x >> 60] {
+                let exact = (x as f64).sqrt();
+                let error = (f64::from(square_root(x)) - exact).abs();
+                assert!(error <= 0.5 + exact * 2_f64.powi(-29), "{x}: {error:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn powers_hold_their_bound() {
+        for (base, exponent) in words().zip(words().skip(7)).take(100_000) {
+            let base = base >> 1;
+            let exponent = exponent | 1 << 31;
+            for exponent in [exponent >> 4, exponent >> 9, exponent >> 15, 1 << 28] {
+                let s = f64::from(exponent) / 65536.0;
+                let exact = (f64::from(base) / 2_f64.powi(31)).powf(s);
+                let error = (f64::from(power(base, exponent)) / 2_f64.powi(31) - exact).abs();
+                assert!(
+                    error < 2_f64.powi(-30) * (s + 16.0),
+                    "{base}^{s}: {error:e}"
+                );
+            }
+        }
+    }
+}

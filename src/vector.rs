@@ -1,0 +1,155 @@
+//! Vectors, and the products and lengths of the formats that tracing uses.
+
+use core::ops::{Add, Neg, Sub};
+
+use fixed::types::{I4F60, I6F58, I8F56};
+
+use crate::Real;
+use crate::num::{InverseLength, Length, Unit, inverse_length};
+
+/// A point or a vector: x to the right, y up, z towards the viewer.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Vec3<T> {
+    /// To the right.
+    pub x: T,
+    /// Up.
+    pub y: T,
+    /// Towards the viewer.
+    pub z: T,
+}
+
+impl<T> Vec3<T> {
+    /// The vector (x, y, z).
+    pub const fn new(x: T, y: T, z: T) -> Self {
+        Self { x, y, z }
+    }
+
+    #[inline(always)]
+    pub(crate) fn map<U>(self, f: impl Fn(T) -> U) -> Vec3<U> {
+        Vec3::new(f(self.x), f(self.y), f(self.z))
+    }
+
+    /// Whether `f` holds for every component.
+    #[inline(always)]
+    pub(crate) fn all(self, f: impl Fn(T) -> bool) -> bool {
+        f(self.x) && f(self.y) && f(self.z)
+    }
+
+    #[inline(always)]
+    pub(crate) fn zip<U, V>(self, other: Vec3<U>, f: impl Fn(T, U) -> V) -> Vec3<V> {
+        Vec3::new(f(self.x, other.x), f(self.y, other.y), f(self.z, other.z))
+    }
+}
+
+impl Vec3<Real> {
+    /// A constant, from decimal literals: `Vec3::lit("0.2", "2.3", "8.2")`.
+    ///
+    /// In a constant a malformed literal is a compile error.
+    pub const fn lit(x: &str, y: &str, z: &str) -> Self {
+        Self::new(Real::lit(x), Real::lit(y), Real::lit(z))
+    }
+}
+
+impl<T: Add<Output = T>> Add for Vec3<T> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        self.zip(other, T::add)
+    }
+}
+
+impl<T: Sub<Output = T>> Sub for Vec3<T> {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        self.zip(other, T::sub)
+    }
+}
+
+impl<T: Neg<Output = T>> Neg for Vec3<T> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        self.map(T::neg)
+    }
+}
+
+impl Vec3<Length> {
+    /// The length along a direction, exact: `I4F28 * I2F30 -> I6F58`.
+    #[inline(always)]
+    pub(crate) fn along(self, direction: Vec3<Unit>) -> I6F58 {
+        self.x.wide_mul(direction.x) + self.y.wide_mul(direction.y) + self.z.wide_mul(direction.z)
+    }
+
+    /// The square of its length, exact: `I4F28^2 -> I8F56`.
+    #[inline(always)]
+    pub(crate) fn squared(self) -> I8F56 {
+        self.x.wide_mul(self.x) + self.y.wide_mul(self.y) + self.z.wide_mul(self.z)
+    }
+
+    /// The unit vector along it, each component to 2^-30, and its length.
+    ///
+    /// The length must be below 8; the unit vector of zero is zero.
+    #[inline]
+    pub(crate) fn normalized(self) -> (Vec3<Unit>, InverseLength) {
+        let inverse = inverse_length(self.squared().to_bits() as u64);
+        (normalize(self.map(Length::to_bits), inverse), inverse)
+    }
+}
+
+/// Scales a vector of any step to a unit vector, given what
+/// [`inverse_length`] says of its square. Its length is below 2^31 steps.
+#[inline(always)]
+pub(crate) fn normalize(v: Vec3<i32>, inverse: InverseLength) -> Vec3<Unit> {
+    let shift = inverse.half_shift.wrapping_sub(1) & 31;
+    // The vector is shifted to a length of 2^30 to 2^31, so that the product
+    // with the reciprocal, U1F31, has the result in its upper half.
+    v.map(|c| {
+        let product = i64::from(c << shift) * i64::from(inverse.inverse);
+        Unit::from_bits(((product + (1 << 31)) >> 32) as i32)
+    })
+}
+
+impl Vec3<Unit> {
+    /// The product of two directions, exact: `I2F30^2 -> I4F60`.
+    #[inline(always)]
+    pub(crate) fn dot(self, other: Self) -> I4F60 {
+        self.x.wide_mul(other.x) + self.y.wide_mul(other.y) + self.z.wide_mul(other.z)
+    }
+
+    /// The cosine between two unit vectors.
+    #[inline(always)]
+    pub(crate) fn cosine(self, other: Self) -> Unit {
+        round_unit(self.dot(other).to_bits(), 30)
+    }
+
+    /// This direction, `distance` long: `I2F30 * I4F28 -> I4F28`, rounded.
+    #[inline(always)]
+    pub(crate) fn times(self, distance: Length) -> Vec3<Length> {
+        self.map(|c| round_length(c.wide_mul(distance).to_bits(), 30))
+    }
+
+    /// A vector of nearly unit length made unit by one Newton step: n(3 - n²)/2.
+    ///
+    /// Deviations up to 2^-15 vanish in the rounding.
+    #[inline]
+    pub(crate) fn renormalized(self) -> Self {
+        let excess = ((1_i64 << 60) - self.dot(self).to_bits()) >> 30;
+        self.map(|c| {
+            let step = (i64::from(c.to_bits()) * i64::from(excess as i32) + (1 << 30)) >> 31;
+            Unit::from_bits(c.to_bits() + step as i32)
+        })
+    }
+}
+
+/// Rounds away the low `shift` bits.
+#[inline(always)]
+pub(crate) fn round_unit(bits: i64, shift: u32) -> Unit {
+    Unit::from_bits(((bits + (1 << (shift - 1))) >> shift) as i32)
+}
+
+/// Rounds away the low `shift` bits.
+#[inline(always)]
+pub(crate) fn round_length(bits: i64, shift: u32) -> Length {
+    Length::from_bits(((bits + (1 << (shift - 1))) >> shift) as i32)
+}
