@@ -1,0 +1,246 @@
+//! From the authored scene to the prepared one: checks, then scales.
+//!
+//! Integer arithmetic alone, on the host as on the chip. Range checks come
+//! first, over the whole scene; what is left to check then depends on the
+//! scale.
+
+mod check;
+mod frame;
+mod trigonometry;
+
+pub(crate) use check::{MAX_DEPTH, max_depth, min_weight};
+
+use crate::num::{Factor, Length, Radiance, reciprocal};
+use crate::prepared::{Camera, Light, Material, Object, Room, Settings};
+use crate::scene::{self, Background};
+use crate::shape::{Bounds, Plane, Shape, Sphere};
+use crate::texture::{Checker, Texture};
+use crate::{Axis, Color, Item, Problem, Real, Scene, SceneError, Shading, Vec3};
+
+use check::fail;
+pub(crate) use frame::OFFSET_BITS;
+use frame::{Frame, cross, direction};
+
+/// Prepares a scene into `room`.
+pub(crate) fn prepare(scene: &Scene<'_>, room: &mut impl Room) -> Result<Settings, SceneError> {
+    room.clear();
+    check::scene(scene)?;
+    let frame = Frame::new(scene);
+    let exposure = exposure(scene);
+    let camera = camera(&scene.camera, &frame)?;
+    let intensity = |color: Color<Real>| color.map(|c| factor(c, exposure));
+    for light in scene.lights {
+        room.push_light(Light {
+            position: frame.point(light.position),
+            diffuse: intensity(light.diffuse),
+            specular: intensity(light.specular),
+        })?;
+    }
+    for material in scene.materials {
+        room.push_material(self::material(material, scene, exposure))?;
+    }
+    for (object, index) in scene.objects.iter().zip(0..) {
+        room.push_object(Object {
+            shape: shape(&object.shape, &frame, Item::Object(index))?,
+            texture: texture(&object.texture, &frame, Item::Object(index))?,
+        })?;
+    }
+    let (horizon, zenith) = match scene.background {
+        Background::Solid(color) => (color, color),
+        Background::Gradient { horizon, zenith } => (horizon, zenith),
+    };
+    Ok(Settings {
+        camera,
+        horizon: intensity(horizon),
+        zenith: intensity(zenith),
+        exposure,
+        max_depth: scene.max_depth,
+        min_weight: factor(scene.min_weight, 0),
+    })
+}
+
+fn camera(camera: &scene::Camera, frame: &Frame) -> Result<Camera, SceneError> {
+    let error = |field, problem| SceneError {
+        item: Item::Camera,
+        field,
+        problem,
+    };
+    let view = camera.look_at - camera.eye;
+    let forward = direction(view.map(Real::to_bits)).ok_or(error("look_at", Problem::NoView))?;
+    let up = direction(camera.up.map(Real::to_bits)).ok_or(error("up", Problem::NoDirection))?;
+    let right = cross(forward, up);
+    // The sine between the two, in 2^-60.
+    if right.x.abs().max(right.y.abs()).max(right.z.abs()) < 1 << 44 {
+        return Err(error("up", Problem::AlongView));
+    }
+    let right = direction(right).ok_or(error("up", Problem::AlongView))?;
+    let up = direction(cross(right, forward)).ok_or(error("up", Problem::AlongView))?;
+    Ok(Camera {
+        eye: frame.point(camera.eye),
+        forward,
+        right,
+        up,
+        tangent: trigonometry::tangent_of_half(camera.fovy_deg),
+    })
+}
+
+fn shape(shape: &scene::Shape, frame: &Frame, item: Item) -> Result<Shape, SceneError> {
+    match *shape {
+        scene::Shape::Sphere { center, radius } => {
+            check::least_size(item, "radius", radius, frame)?;
+            let radius = Length::from_bits(frame.length(radius.to_bits()) as i32);
+            Ok(Shape::Sphere(Sphere::new(frame.point(center), radius)))
+        }
+        scene::Shape::Plane {
+            normal,
+            point,
+            bounds,
+        } => {
+            let Some(normal) = direction(normal.map(Real::to_bits)) else {
+                return fail(item, "normal", Problem::NoDirection);
+            };
+            let Some(offset) = frame.offset(normal, point) else {
+                return fail(item, "point", frame.reach_problem());
+            };
+            let [x, y, z] = [
+                (bounds.x, frame.center.x),
+                (bounds.y, frame.center.y),
+                (bounds.z, frame.center.z),
+            ]
+            .map(|(bound, center)| {
+                bound.map_or([Length::MIN, Length::MAX], |bound| {
+                    bound.map(|b| Length::from_bits(frame.length(b.to_bits() - center) as i32))
+                })
+            });
+            let bounds = (bounds != scene::Bounds::NONE).then_some(Bounds {
+                low: Vec3::new(x[0], y[0], z[0]),
+                high: Vec3::new(x[1], y[1], z[1]),
+            });
+            Ok(Shape::Plane(Plane {
+                normal,
+                offset,
+                bounds,
+            }))
+        }
+    }
+}
+
+fn texture(texture: &scene::Texture, frame: &Frame, item: Item) -> Result<Texture, SceneError> {
+    match *texture {
+        scene::Texture::Uniform(material) => Ok(Texture::Uniform(material.0)),
+        scene::Texture::Checker {
+            size,
+            axes,
+            materials,
+        } => {
+            check::least_size(item, "checker.size", size, frame)?;
+            let shift = size.to_bits().leading_zeros();
+            let inverse = reciprocal((((size.to_bits() as u64) << shift) >> 32) as u32);
+            let phase = axes.map(|axis| {
+                let center = match axis {
+                    Axis::X => frame.center.x,
+                    Axis::Y => frame.center.y,
+                    Axis::Z => frame.center.z,
+                };
+                fraction(center, 2 * size.to_bits())
+            });
+            Ok(Texture::Checker(Checker {
+                mantissa: inverse,
+                exponent: (shift as i32 - 32 - frame.exponent) as i8,
+                phase,
+                axes,
+                materials: materials.map(|material| material.0),
+            }))
+        }
+    }
+}
+
+/// The fraction of `dividend / divisor`, above 0, as `U0F32`, rounded down.
+fn fraction(dividend: i64, divisor: i64) -> u32 {
+    let mut remainder = dividend.rem_euclid(divisor);
+    let mut quotient = 0;
+    for _ in 0..32 {
+        remainder *= 2;
+        quotient *= 2;
+        if remainder >= divisor {
+            remainder -= divisor;
+            quotient += 1;
+        }
+    }
+    quotient
+}
+
+fn material(material: &scene::Material, scene: &Scene<'_>, exposure: u8) -> Material {
+    let coefficient = |color: Color<Real>| color.map(|c| factor(c, 0));
+    let glow = material.le.zip(ambient(material, scene), |le, ambient| {
+        // Q32 -> Q30
+        Radiance::from_bits(((le.to_bits() + ambient.to_bits()) >> (2 + exposure)) as u32)
+    });
+    let shading = material.shading.unwrap_or(scene.shading);
+    let transmits = material.kt != Color::gray(Real::ZERO);
+    let ior = if transmits { material.ior } else { Real::ONE };
+    let shift = ior.to_bits().leading_zeros();
+    let inverse = u64::from(reciprocal((((ior.to_bits() as u64) << shift) >> 32) as u32));
+    // U1F31 * 2^(shift - 32) -> Q28
+    let inverse = ((inverse << shift) + (1 << 34)) >> 35;
+    Material {
+        glow,
+        kd: coefficient(material.kd),
+        ks: coefficient(material.ks),
+        kr: coefficient(material.kr),
+        kt: coefficient(material.kt),
+        shininess: (material.shininess.to_bits() >> 16) as u32,
+        ior: Length::from_bits(((ior.to_bits() + 8) >> 4) as i32),
+        inverse_ior: Length::from_bits(inverse as i32),
+        blinn: shading == Shading::BlinnPhong,
+    }
+}
+
+/// `ka * ia`.
+fn ambient(material: &scene::Material, scene: &Scene<'_>) -> Color<Real> {
+    material
+        .ka
+        .zip(scene.ambient, |ka, ia| ka.saturating_mul(ia))
+}
+
+/// The power of two that the scene's light is divided by, so that lights and
+/// background fit 0 to 1, and what one hit can send back stays below 4.
+fn exposure(scene: &Scene<'_>) -> u8 {
+    /// Not quite 4, to have room for roundings.
+    const MOST: Real = Real::lit("3.99");
+    let mut exponent = 0;
+    let mut fit = |color: Color<Real>, white: Real| {
+        while !color.all(|c| c.to_bits() >> exponent <= white.to_bits()) {
+            exponent += 1;
+        }
+    };
+    for light in scene.lights {
+        fit(light.diffuse, Real::ONE);
+        fit(light.specular, Real::ONE);
+    }
+    match scene.background {
+        Background::Solid(color) => fit(color, Real::ONE),
+        Background::Gradient { horizon, zenith } => {
+            fit(horizon, Real::ONE);
+            fit(zenith, Real::ONE);
+        }
+    }
+    for material in scene.materials {
+        let mut sum = ambient(material, scene).zip(material.le, Real::saturating_add);
+        for light in scene.lights {
+            let diffuse = material.kd.zip(light.diffuse, |k, i| k * i);
+            let specular = material.ks.zip(light.specular, |k, i| k * i);
+            sum = sum
+                .zip(diffuse, Real::saturating_add)
+                .zip(specular, Real::saturating_add);
+        }
+        fit(sum, MOST);
+    }
+    exponent
+}
+
+/// A number of 0 to 2^exposure as a factor, rounded.
+fn factor(value: Real, exposure: u8) -> Factor {
+    let shift = 17 + u32::from(exposure);
+    Factor::from_bits(((value.to_bits() + (1 << (shift - 1))) >> shift) as u16)
+}

@@ -1,0 +1,217 @@
+//! What may be in a scene.
+
+use crate::num::{Factor, Real};
+use crate::scene::{Background, Camera, Light, Material, Object, Shape, Texture};
+use crate::{Color, Item, MaterialId, Problem, Scene, SceneError, Vec3};
+
+use super::factor;
+use super::frame::Frame;
+
+/// The most secondary generations of rays.
+pub(crate) const MAX_DEPTH: u8 = 32;
+
+/// The farthest coordinate, ±2^24: sums and differences keep within [`Real`].
+const FARTHEST: Real = Real::lit("16777216");
+/// The brightest light, emission, ambient light or background.
+const BRIGHTEST: Real = Real::lit("256");
+/// The least size of anything, world units.
+const SMALLEST: Real = Real::lit("0.000001");
+
+pub(super) fn fail<T>(item: Item, field: &'static str, problem: Problem) -> Result<T, SceneError> {
+    Err(SceneError {
+        item,
+        field,
+        problem,
+    })
+}
+
+fn range(
+    item: Item,
+    field: &'static str,
+    value: Real,
+    [least, most]: [Real; 2],
+) -> Result<(), SceneError> {
+    if (least..=most).contains(&value) {
+        Ok(())
+    } else {
+        fail(item, field, Problem::OutOfRange { least, most })
+    }
+}
+
+fn point(item: Item, field: &'static str, point: Vec3<Real>) -> Result<(), SceneError> {
+    [point.x, point.y, point.z]
+        .into_iter()
+        .try_for_each(|c| range(item, field, c, [-FARTHEST, FARTHEST]))
+}
+
+fn color(
+    item: Item,
+    field: &'static str,
+    color: Color<Real>,
+    most: Real,
+) -> Result<(), SceneError> {
+    [color.r, color.g, color.b]
+        .into_iter()
+        .try_for_each(|c| range(item, field, c, [Real::ZERO, most]))
+}
+
+/// Checks all that does not depend on the scene's scale.
+pub(super) fn scene(scene: &Scene<'_>) -> Result<(), SceneError> {
+    max_depth(scene.max_depth)?;
+    min_weight(scene.min_weight)?;
+    color(Item::Scene, "ambient", scene.ambient, BRIGHTEST)?;
+    match scene.background {
+        Background::Solid(solid) => color(Item::Scene, "background", solid, BRIGHTEST)?,
+        Background::Gradient { horizon, zenith } => {
+            color(Item::Scene, "background.horizon", horizon, BRIGHTEST)?;
+            color(Item::Scene, "background.zenith", zenith, BRIGHTEST)?;
+        }
+    }
+    camera(&scene.camera)?;
+    (0..)
+        .zip(scene.lights)
+        .try_for_each(|(index, l)| light(Item::Light(index), l))?;
+    (0..)
+        .zip(scene.materials)
+        .try_for_each(|(index, m)| material(Item::Material(index), m))?;
+    (0..)
+        .zip(scene.objects)
+        .try_for_each(|(index, o)| object(Item::Object(index), o, scene.materials.len()))
+}
+
+pub(crate) fn max_depth(max_depth: u8) -> Result<u8, SceneError> {
+    range(
+        Item::Scene,
+        "max_depth",
+        max_depth.into(),
+        [Real::ZERO, MAX_DEPTH.into()],
+    )?;
+    Ok(max_depth)
+}
+
+pub(crate) fn min_weight(min_weight: Real) -> Result<Factor, SceneError> {
+    range(
+        Item::Scene,
+        "min_weight",
+        min_weight,
+        [Real::ZERO, Real::ONE],
+    )?;
+    Ok(factor(min_weight, 0))
+}
+
+fn camera(camera: &Camera) -> Result<(), SceneError> {
+    let item = Item::Camera;
+    point(item, "eye", camera.eye)?;
+    point(item, "look_at", camera.look_at)?;
+    point(item, "up", camera.up)?;
+    range(
+        item,
+        "fovy_deg",
+        camera.fovy_deg,
+        const { [Real::lit("1"), Real::lit("170")] },
+    )
+}
+
+fn light(item: Item, light: &Light) -> Result<(), SceneError> {
+    point(item, "position", light.position)?;
+    color(item, "diffuse", light.diffuse, BRIGHTEST)?;
+    color(item, "specular", light.specular, BRIGHTEST)
+}
+
+fn material(item: Item, material: &Material) -> Result<(), SceneError> {
+    for (field, coefficient) in [
+        ("ka", material.ka),
+        ("kd", material.kd),
+        ("ks", material.ks),
+        ("kr", material.kr),
+        ("kt", material.kt),
+    ] {
+        color(item, field, coefficient, Real::ONE)?;
+    }
+    color(item, "le", material.le, BRIGHTEST)?;
+    let black = Color::gray(Real::ZERO);
+    if material.ks != black {
+        range(
+            item,
+            "shininess",
+            material.shininess,
+            const { [Real::ONE, Real::lit("4096")] },
+        )?;
+    }
+    if material.kt != black {
+        range(
+            item,
+            "ior",
+            material.ior,
+            const { [Real::ONE, Real::lit("4")] },
+        )?;
+    }
+    Ok(())
+}
+
+fn object(item: Item, object: &Object, materials: usize) -> Result<(), SceneError> {
+    match object.shape {
+        Shape::Sphere { center, radius } => {
+            point(item, "center", center)?;
+            range(item, "radius", radius, [SMALLEST, FARTHEST])?;
+        }
+        Shape::Plane {
+            normal,
+            point: p,
+            bounds,
+        } => {
+            point(item, "normal", normal)?;
+            point(item, "point", p)?;
+            for (field, bound) in [
+                ("bounds.x", bounds.x),
+                ("bounds.y", bounds.y),
+                ("bounds.z", bounds.z),
+            ] {
+                let Some([low, high]) = bound else { continue };
+                range(item, field, low, [-FARTHEST, FARTHEST])?;
+                range(item, field, high, [-FARTHEST, FARTHEST])?;
+                if low >= high {
+                    return fail(item, field, Problem::EmptyInterval);
+                }
+            }
+        }
+    }
+    let known = |field, MaterialId(index)| {
+        if usize::from(index) < materials {
+            Ok(())
+        } else {
+            fail(item, field, Problem::NoSuchMaterial(index))
+        }
+    };
+    match object.texture {
+        Texture::Uniform(material) => known("material", material),
+        Texture::Checker {
+            size,
+            axes: [first, second],
+            materials,
+        } => {
+            range(item, "checker.size", size, [SMALLEST, FARTHEST])?;
+            if first == second {
+                return fail(item, "checker.axes", Problem::SameAxis);
+            }
+            materials
+                .into_iter()
+                .try_for_each(|material| known("checker.materials", material))
+        }
+    }
+}
+
+/// A size must be at least 2^10 steps of the scene's scale to be round.
+pub(super) fn least_size(
+    item: Item,
+    field: &'static str,
+    size: Real,
+    frame: &Frame,
+) -> Result<(), SceneError> {
+    range(
+        item,
+        field,
+        size,
+        [frame.smallest().max(SMALLEST), FARTHEST],
+    )
+}

@@ -1,0 +1,166 @@
+//! Rays, and the points that they start from and reach.
+//!
+//! A prepared scene's finite geometry lies within ±1 of its origin. A point
+//! within ±[`NEAR`] is *near* and an exact [`Length`] away. Only an endless or
+//! a large plane has points beyond: they are *far* and kept in coarser steps,
+//! so that their largest coordinate still uses its bits. A ray's direction
+//! itself is only known to 2^-30, so nothing is lost by it.
+
+use crate::Vec3;
+use crate::num::{Length, Scaled, Unit};
+use crate::vector::round_length;
+
+/// How far near points reach, per coordinate.
+///
+/// From a near point to the finite geometry it is less than
+/// `sqrt(3) * (3.5 + 1) < 8`, which a [`Length`] holds.
+const NEAR: i32 = 7 << 27;
+
+/// A point: `coordinates * 2^shift`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Point {
+    pub(crate) coordinates: Vec3<Length>,
+    /// 0 for near points.
+    pub(crate) shift: u8,
+}
+
+impl Point {
+    #[inline(always)]
+    pub(crate) const fn near(coordinates: Vec3<Length>) -> Self {
+        Self {
+            coordinates,
+            shift: 0,
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) fn is_near(self) -> bool {
+        self.shift == 0
+    }
+
+    /// The point in steps of 2^shift, with the shift that fits it.
+    fn fitted(mut coordinates: Vec3<i64>, mut shift: u32) -> Self {
+        let reach = |c: Vec3<i64>| c.x.abs().max(c.y.abs()).max(c.z.abs());
+        while reach(coordinates) >= 1 << 30 || shift == 0 && reach(coordinates) > i64::from(NEAR) {
+            coordinates = coordinates.map(|c| c >> 1);
+            shift += 1;
+        }
+        while shift > 0 && reach(coordinates) < 1 << 28 {
+            coordinates = coordinates.map(|c| c << 1);
+            shift -= 1;
+        }
+        Self {
+            coordinates: coordinates.map(|c| Length::from_bits(c as i32)),
+            shift: shift as u8,
+        }
+    }
+
+    /// From here to a near point, in steps of this point's `2^shift`. Its
+    /// length is below 8.
+    #[inline(always)]
+    pub(crate) fn to(self, near: Vec3<Length>) -> Vec3<Length> {
+        near.zip(self.coordinates, |n, c| (n >> u32::from(self.shift)) - c)
+    }
+}
+
+/// A ray on its way through the scene.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Ray {
+    pub(crate) origin: Point,
+    pub(crate) direction: Vec3<Unit>,
+    pub(crate) start: Start,
+}
+
+/// The surface that a ray starts on.
+///
+/// A start point lies only approximately on its surface, and no distance
+/// tells a hit of that surface apart from the start: any epsilon is too small
+/// for one scene and too large for another. So a ray knows the object it
+/// leaves, whose root `t = 0` is then known to be the start.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Start {
+    /// The object's number.
+    pub(crate) object: u16,
+    /// Whether the ray runs through the inside of the object.
+    pub(crate) inward: bool,
+}
+
+impl Start {
+    /// In the open: the eye or a light.
+    pub(crate) const NOWHERE: Self = Self {
+        object: u16::MAX,
+        inward: false,
+    };
+}
+
+impl Ray {
+    /// The point at a distance below 8 from a near origin.
+    #[inline]
+    pub(crate) fn at(&self, distance: Length) -> Point {
+        let origin = self.origin.coordinates;
+        // Coordinates reach 3.5 + 8; what wraps lands beyond 4 and is seen to be far.
+        let coordinates = origin.zip(self.direction.times(distance), Length::wrapping_add);
+        let outside = |c: Length| c.to_bits().wrapping_add(NEAR) as u32 > 2 * NEAR as u32;
+        if outside(coordinates.x) || outside(coordinates.y) || outside(coordinates.z) {
+            let mantissa = distance.to_bits() as u32;
+            return self.far_at(Scaled {
+                mantissa,
+                exponent: 0,
+            });
+        }
+        Point::near(coordinates)
+    }
+
+    /// The point at any distance from any origin.
+    #[cold]
+    pub(crate) fn far_at(&self, distance: Scaled) -> Point {
+        let from = i32::from(self.origin.shift);
+        // Both terms in the coarser of the origin's steps and those in which
+        // the distance is below 2^30.
+        let shift =
+            from.max(distance.exponent + 32 - distance.mantissa.leading_zeros() as i32 - 30);
+        let shifted = shift_right(
+            u64::from(distance.mantissa) << 16,
+            16 + shift - distance.exponent,
+        );
+        let coordinates = self.origin.coordinates.zip(self.direction, |o, d| {
+            (i64::from(o.to_bits()) >> (shift - from).min(63))
+                + ((i64::from(d.to_bits()) * shifted as i64 + (1 << 29)) >> 30)
+        });
+        Point::fitted(coordinates, shift as u32)
+    }
+
+    /// Of a ray from a far origin: a ray along it from a near origin, shortly
+    /// before all finite geometry, and how many steps of a [`Length`] lie
+    /// between the origins. `None` if it passes by, or leaves.
+    #[cold]
+    pub(crate) fn approaching(&self) -> Option<(Self, i64)> {
+        /// Finite geometry is within sqrt(3) of the scene's origin.
+        const BEFORE: Length = Length::lit("1.75");
+        const REACH: i64 = 2 << 58;
+
+        let Point { coordinates, shift } = self.origin;
+        let middle = -coordinates.along(self.direction).to_bits();
+        if middle <= 0 {
+            return None;
+        }
+        let middle = ((middle + (1 << 29)) >> 30) as i32;
+        // The ray's foot point, nearest to the scene's origin: far steps, Q58.
+        let foot = coordinates.zip(self.direction, |c, d| {
+            (i64::from(c.to_bits()) << 30) + i64::from(d.to_bits()) * i64::from(middle)
+        });
+        let passes = |c: i64| c.abs() > REACH >> shift;
+        if passes(foot.x) || passes(foot.y) || passes(foot.z) {
+            return None;
+        }
+        let foot = foot.map(|c| round_length(c << shift, 30));
+        let origin = Point::near(foot - self.direction.times(BEFORE));
+        let skipped = (i64::from(middle) << shift) - i64::from(BEFORE.to_bits());
+        Some((Self { origin, ..*self }, skipped))
+    }
+}
+
+/// `x >> shift`, also for shifts that leave nothing.
+fn shift_right(x: u64, shift: i32) -> u64 {
+    if shift > 63 { 0 } else { x >> shift.max(0) }
+}

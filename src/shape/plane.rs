@@ -1,0 +1,115 @@
+use crate::Vec3;
+use crate::num::{Length, Scaled, Unit, reciprocal, wide};
+use crate::ray::{Point, Ray};
+
+/// A plane, endless or bounded.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Plane {
+    pub(crate) normal: Vec3<Unit>,
+    /// `normal · p` for the points of the plane, in steps of a [`Length`] but
+    /// with more range: a plane may be far from all else.
+    pub(crate) offset: i64,
+    /// What of the plane there is; endless where it says `None`.
+    pub(crate) bounds: Option<Bounds>,
+}
+
+/// A box, endless where a bound is the least or the greatest [`Length`].
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Bounds {
+    pub(crate) low: Vec3<Length>,
+    pub(crate) high: Vec3<Length>,
+}
+
+impl Bounds {
+    pub(crate) const ENDLESS: Self = Self {
+        low: Vec3::new(Length::MIN, Length::MIN, Length::MIN),
+        high: Vec3::new(Length::MAX, Length::MAX, Length::MAX),
+    };
+
+    #[inline]
+    pub(crate) fn contain(&self, point: Point) -> bool {
+        let within = |c: Length, low: Length, high: Length| {
+            let c = i64::from(c.to_bits()) << point.shift;
+            (low == Length::MIN || c >= i64::from(low.to_bits()))
+                && (high == Length::MAX || c <= i64::from(high.to_bits()))
+        };
+        let p = point.coordinates;
+        within(p.x, self.low.x, self.high.x)
+            && within(p.y, self.low.y, self.high.y)
+            && within(p.z, self.low.z, self.high.z)
+    }
+}
+
+/// A hit so many powers of two away is passed over: it is beyond 2^29 units,
+/// closer to the horizon than the pixels of any display.
+const HORIZON: i32 = 26;
+
+impl Plane {
+    /// How far behind the plane a point is, in the point's steps; negative in
+    /// front, where the normal points.
+    #[inline]
+    pub(crate) fn depth(&self, point: Point) -> i64 {
+        let along = point.coordinates.along(self.normal).to_bits();
+        (self.offset >> point.shift) - ((along + (1 << 29)) >> 30)
+    }
+
+    /// The distance of a hit from a near point, if it is below `limit`.
+    #[inline]
+    pub(crate) fn distance(&self, ray: &Ray, limit: Length) -> Option<Length> {
+        let (depth, cosine) = self.approach(ray)?;
+        // What is beyond the limit is not worth a division.
+        if depth >= (u64::from(cosine) * limit.to_bits() as u64) >> 30 {
+            return None;
+        }
+        let shift = cosine.leading_zeros();
+        // 1/cosine = reciprocal * 2^(shift - 33) and depth < 2^31
+        let product = wide(depth as u32, reciprocal(cosine << shift));
+        let distance = Length::from_bits((((product >> (32 - shift)) + 1) >> 1) as i32);
+        (self.bounds.is_none() || self.covers(ray.at(distance))).then_some(distance)
+    }
+
+    /// Whether a point of the plane is within its bounds.
+    #[inline]
+    pub(crate) fn covers(&self, point: Point) -> bool {
+        self.bounds
+            .as_ref()
+            .is_none_or(|bounds| bounds.contain(point))
+    }
+
+    /// The distance of a hit at any distance from any point.
+    #[cold]
+    pub(crate) fn far_distance(&self, ray: &Ray) -> Option<Scaled> {
+        self.unbounded_distance(ray)
+            .filter(|distance| self.bounds.is_none() || self.covers(ray.far_at(*distance)))
+    }
+
+    /// The same, without regard to bounds.
+    pub(crate) fn unbounded_distance(&self, ray: &Ray) -> Option<Scaled> {
+        let (depth, cosine) = self.approach(ray)?;
+        let shift = cosine.leading_zeros();
+        let depth_shift = depth.leading_zeros();
+        let mantissa = ((depth << depth_shift) >> 32) as u32;
+        let product = wide(mantissa, reciprocal(cosine << shift));
+        let last = product.leading_zeros();
+        // depth = mantissa * 2^(32 - depth_shift), 1/cosine = reciprocal * 2^(shift - 33)
+        // and product = the distance's mantissa * 2^(32 - last).
+        let exponent = 31 + shift as i32 - depth_shift as i32 - last as i32;
+        let distance = Scaled {
+            mantissa: ((product << last) >> 32) as u32,
+            exponent: exponent + i32::from(ray.origin.shift),
+        };
+        (distance.exponent <= HORIZON).then_some(distance)
+    }
+
+    /// How far the plane is along its normal and the cosine to it, both
+    /// positive, if the ray approaches the plane.
+    #[inline(always)]
+    fn approach(&self, ray: &Ray) -> Option<(u64, u32)> {
+        let cosine = ray.direction.cosine(self.normal).to_bits();
+        let depth = self.depth(ray.origin);
+        if cosine == 0 || depth == 0 || (depth < 0) != (cosine < 0) {
+            return None;
+        }
+        Some((depth.unsigned_abs(), cosine.unsigned_abs()))
+    }
+}
