@@ -1,0 +1,113 @@
+//! Where rays come from: a pinhole camera in front of a raster of pixels.
+
+use embedded_graphics_core::geometry::Size;
+
+use crate::Vec3;
+use crate::num::{Length, Unit, inverse_length, reciprocal, wide};
+use crate::prepared::Camera;
+use crate::ray::{Point, Ray, Start};
+use crate::vector::normalize;
+
+/// The widest and the highest raster.
+pub(crate) const MAX_SIDE: u32 = u16::MAX as u32;
+
+/// A camera's view of a raster of pixels.
+///
+/// The direction through the center of pixel (x, y) is `f + X r + Y u` with
+/// `X = (2x + 1 - width) g`, `Y = (height - 2y - 1) g` and
+/// `g = tan(fovy / 2) / height`. Directions are in steps of 2^-62, divided by a
+/// power of two that keeps the longest below 2; along a line they are added up.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct View {
+    eye: Vec3<Length>,
+    forward: Vec3<i64>,
+    /// `g r`: half a pixel to the right.
+    right: Vec3<i64>,
+    /// `-g u`: half a pixel down.
+    down: Vec3<i64>,
+    size: Size,
+}
+
+impl View {
+    pub(crate) fn new(camera: &Camera, size: Size) -> Self {
+        let width = size.width.min(MAX_SIDE);
+        let height = size.height.min(MAX_SIDE);
+        // tangent / height: U4F28 * U1F31 -> U6F58
+        let shift = height.max(1).leading_zeros();
+        let g = wide(camera.tangent, reciprocal(height.max(1) << shift)) >> (33 - shift);
+        // 1 + X + Y, Q28, bounds the length of a direction.
+        let longest = (1 << 28) + ((g >> 30) + 1) * u64::from(width + height);
+        let divisor = (64 - longest.leading_zeros()).saturating_sub(29);
+        let g_shift = g.max(1).leading_zeros();
+        let g_mantissa = ((g << g_shift) >> 32) as i64;
+        // I2F30 * (U6F58 as a 32-bit mantissa) -> Q62
+        let half_pixel = |c: Unit| {
+            (i64::from(c.to_bits()) * g_mantissa) >> (g_shift + divisor).saturating_sub(6)
+        };
+        Self {
+            eye: camera.eye,
+            forward: camera
+                .forward
+                .map(|c| (i64::from(c.to_bits()) << 32) >> divisor),
+            right: camera.right.map(half_pixel),
+            down: camera.up.map(|c| -half_pixel(c)),
+            size: Size::new(width, height),
+        }
+    }
+
+    /// How many pixels there are.
+    pub(crate) fn size(&self) -> Size {
+        self.size
+    }
+
+    /// The rays of line `y`, from left to right.
+    pub(crate) fn line(&self, y: u32) -> Line {
+        let down = 2 * i64::from(y.min(MAX_SIDE)) + 1 - i64::from(self.size.height);
+        let left = 1 - i64::from(self.size.width);
+        let across = self.right.zip(self.down, |r, d| {
+            r.wrapping_mul(left).wrapping_add(d.wrapping_mul(down))
+        });
+        Line {
+            eye: self.eye,
+            direction: self.forward.zip(across, i64::wrapping_add),
+            step: self.right.map(|r| 2 * r),
+            remaining: if y < self.size.height {
+                self.size.width
+            } else {
+                0
+            },
+        }
+    }
+}
+
+/// Eye rays along a line.
+#[derive(Clone, Debug)]
+pub(crate) struct Line {
+    eye: Vec3<Length>,
+    direction: Vec3<i64>,
+    step: Vec3<i64>,
+    remaining: u32,
+}
+
+impl Iterator for Line {
+    type Item = Ray;
+
+    #[inline]
+    fn next(&mut self) -> Option<Ray> {
+        self.remaining = self.remaining.checked_sub(1)?;
+        // Q62 -> Q30, rounded
+        let direction = self.direction.map(|c| ((c + (1 << 31)) >> 32) as i32);
+        let square = direction.map(|c| i64::from(c) * i64::from(c));
+        let inverse = inverse_length((square.x + square.y + square.z) as u64);
+        self.direction = self.direction.zip(self.step, i64::wrapping_add);
+        Some(Ray {
+            origin: Point::near(self.eye),
+            direction: normalize(direction, inverse),
+            start: Start::NOWHERE,
+        })
+    }
+
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        (self.remaining as usize, Some(self.remaining as usize))
+    }
+}

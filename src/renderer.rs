@@ -1,0 +1,134 @@
+//! Scanlines to a display.
+
+use embedded_graphics_core::draw_target::DrawTarget;
+use embedded_graphics_core::geometry::{Point, Size};
+use embedded_graphics_core::primitives::Rectangle;
+
+use crate::camera::{Line, View};
+use crate::num::Radiance;
+use crate::observer::Observer;
+use crate::tracer::{Stack, trace};
+use crate::{Color, Pixel, PreparedScene};
+
+/// Draws a scene line by line, each pixel once, without a framebuffer.
+///
+/// It holds the stack of rays, so it takes some 2 KB; keep it in a `static` or
+/// high up on the stack. The picture's aspect follows its size.
+///
+/// ```
+/// use embedded_graphics::mock_display::MockDisplay;
+/// use embedded_graphics::{pixelcolor::Rgb888, prelude::*};
+/// use whitted::{Background, Camera, Color, Real, Renderer, Scene, SceneBuffer, Vec3};
+///
+/// let camera = Camera::new(Vec3::lit("0", "2", "8"), Vec3::lit("0", "1", "0"), Real::lit("33"));
+/// let sky = Background::Solid(Color::lit("0", "0", "1"));
+/// let mut buffer = SceneBuffer::<1, 1, 1>::new();
+/// let scene = buffer.prepare(&Scene { background: sky, ..Scene::new(camera) }).unwrap();
+///
+/// let mut display = MockDisplay::<Rgb888>::new();
+/// Renderer::new(&scene, display.size()).draw(&mut display).unwrap();
+/// assert_eq!(display.get_pixel(Point::new(63, 63)), Some(Rgb888::BLUE));
+/// ```
+#[derive(Clone, Debug)]
+pub struct Renderer<'s, O: Observer = ()> {
+    scene: &'s PreparedScene<'s>,
+    view: View,
+    stack: Stack,
+    observer: O,
+}
+
+impl<'s> Renderer<'s> {
+    /// A renderer of a picture of `size` pixels, at most 65535 a side.
+    pub fn new(scene: &'s PreparedScene<'s>, size: Size) -> Self {
+        Self::with_observer(scene, size, ())
+    }
+}
+
+impl<'s, O: Observer> Renderer<'s, O> {
+    /// A renderer that tells an observer of every ray.
+    pub fn with_observer(scene: &'s PreparedScene<'s>, size: Size, observer: O) -> Self {
+        let view = View::new(&scene.settings.camera, size);
+        Self {
+            scene,
+            view,
+            stack: Stack::default(),
+            observer,
+        }
+    }
+
+    /// What the observer has seen so far.
+    pub fn observer(&self) -> &O {
+        &self.observer
+    }
+
+    /// The size of the picture.
+    pub fn size(&self) -> Size {
+        self.view.size()
+    }
+
+    /// The linear colors of line `y`, traced one by one as they are asked
+    /// for. A line outside of the picture is empty.
+    pub fn line(&mut self, y: u32) -> impl Iterator<Item = Color<Radiance>> {
+        Pixels {
+            rays: self.view.line(y),
+            scene: self.scene,
+            stack: &mut self.stack,
+            observer: &mut self.observer,
+        }
+    }
+
+    /// Traces line `y` into a slice, for example to send it by DMA while the
+    /// next is traced. What is longer than the line is left as it is.
+    pub fn render_line<P: Pixel>(&mut self, y: u32, line: &mut [P]) {
+        for (pixel, color) in line.iter_mut().zip(self.line(y)) {
+            *pixel = P::from_linear(color);
+        }
+    }
+
+    /// Draws line `y` by one call of `fill_contiguous`.
+    ///
+    /// # Errors
+    /// The display's own.
+    pub fn draw_line<D>(&mut self, y: u32, target: &mut D) -> Result<(), D::Error>
+    where
+        D: DrawTarget,
+        D::Color: Pixel,
+    {
+        let row = Rectangle::new(Point::new(0, y as i32), Size::new(self.size().width, 1));
+        target.fill_contiguous(&row, self.line(y).map(Pixel::from_linear))
+    }
+
+    /// Draws the whole picture, top to bottom.
+    ///
+    /// # Errors
+    /// The display's own, at once.
+    pub fn draw<D>(&mut self, target: &mut D) -> Result<(), D::Error>
+    where
+        D: DrawTarget,
+        D::Color: Pixel,
+    {
+        (0..self.size().height).try_for_each(|y| self.draw_line(y, target))
+    }
+}
+
+/// The pixels of a line as they are traced.
+struct Pixels<'r, O> {
+    rays: Line,
+    scene: &'r PreparedScene<'r>,
+    stack: &'r mut Stack,
+    observer: &'r mut O,
+}
+
+impl<O: Observer> Iterator for Pixels<'_, O> {
+    type Item = Color<Radiance>;
+
+    #[inline]
+    fn next(&mut self) -> Option<Self::Item> {
+        let ray = self.rays.next()?;
+        Some(trace(self.scene, ray, self.stack, self.observer))
+    }
+
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        self.rays.size_hint()
+    }
+}

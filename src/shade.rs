@@ -1,0 +1,231 @@
+//! The local color of a hit, and the rays that go on from it.
+//!
+//! Shading never traces: [`crate::tracer`] walks the tree of rays.
+
+use crate::intersect::{self, Hit, ShadowRay};
+use crate::num::{Factor, Length, Radiance, Unit, power, reciprocal_root, square_root};
+use crate::observer::Observer;
+use crate::prepared::{Light, Material, PreparedScene};
+use crate::ray::{Point, Ray, Start};
+use crate::shape::Shape;
+use crate::vector::round_unit;
+use crate::{Color, Vec3};
+
+/// All that shading needs to know of a hit.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Surface<'s> {
+    point: Point,
+    /// Turned to face the incoming ray.
+    normal: Vec3<Unit>,
+    /// Of the incoming ray and the normal: `-V · n`, not negative.
+    cosine: Unit,
+    material: &'s Material,
+    object: u16,
+    /// Whether the ray came from behind the surface.
+    inside: bool,
+    /// Whether the surface bounds no inside.
+    open: bool,
+}
+
+impl<'s> Surface<'s> {
+    #[inline]
+    pub(crate) fn new(scene: &PreparedScene<'s>, ray: &Ray, hit: Hit) -> Option<Self> {
+        let object = scene.objects.get(usize::from(hit.object))?;
+        let (normal, open) = match &object.shape {
+            Shape::Sphere(sphere) => (sphere.normal(hit.point.coordinates), false),
+            Shape::Plane(plane) => (plane.normal, plane.bounds.is_some()),
+        };
+        let cosine = ray.direction.cosine(normal);
+        let inside = cosine > Unit::ZERO;
+        Some(Self {
+            point: hit.point,
+            normal: if inside { -normal } else { normal },
+            cosine: cosine.abs(),
+            material: scene.material(object.texture.material(hit.point))?,
+            object: hit.object,
+            inside,
+            open,
+        })
+    }
+
+    /// `le + ka ia + sum over lights of T (kd (L·n) id + ks S is)`.
+    #[inline]
+    pub(crate) fn local(
+        &self,
+        scene: &PreparedScene<'_>,
+        ray: &Ray,
+        observer: &mut impl Observer,
+    ) -> Color<Radiance> {
+        let mut sum = self.material.glow;
+        if self.material.kd.is_black() && self.material.ks.is_black() {
+            return sum;
+        }
+        for light in scene.lights {
+            // To the light, in steps of the point's shift.
+            let way = self.point.to(light.position);
+            if way.along(self.normal) <= 0 {
+                continue;
+            }
+            let (to_light, length) = way.normalized();
+            let cosine = to_light.cosine(self.normal);
+            let distance = if self.point.is_near() {
+                Length::from_bits(length.length() as i32)
+            } else {
+                Length::MAX
+            };
+            let shadow = ShadowRay {
+                light,
+                direction: -to_light,
+                distance,
+                point: self.point,
+                start: Start {
+                    object: self.object,
+                    inward: self.inside,
+                },
+            };
+            if let Some(left) = intersect::transmittance(scene, &shadow, observer) {
+                sum = sum.plus(self.lit(light, left, ray, to_light, cosine));
+            }
+        }
+        sum
+    }
+
+    /// What the surface reflects of one light towards the ray's origin.
+    #[inline]
+    fn lit(
+        &self,
+        light: &Light,
+        left: Color<Factor>,
+        ray: &Ray,
+        to_light: Vec3<Unit>,
+        cosine: Unit,
+    ) -> Color<Radiance> {
+        let material = self.material;
+        let (mut diffuse, mut specular) = (light.diffuse, light.specular);
+        if left != Color::WHITE {
+            (diffuse, specular) = (diffuse.filtered(left), specular.filtered(left));
+        }
+        let mut sum = material.kd.reflect(factor(cosine), diffuse);
+        if !material.ks.is_black() {
+            let highlight = self.highlight(to_light, cosine, ray.direction);
+            sum = sum.plus(material.ks.reflect(highlight, specular));
+        }
+        sum
+    }
+
+    /// Phong's `(R_L · -V)^s` or Blinn's `(H · n)^s`.
+    ///
+    /// Both from three cosines, without building the vectors:
+    /// `R_L · -V = 2 (L·n)(-V·n) + L·V`, and `H · n = (L·n - V·n) / |L - V|`
+    /// with `|L - V|² = 2 - 2 L·V`.
+    #[inline]
+    fn highlight(&self, to_light: Vec3<Unit>, cosine: Unit, view: Vec3<Unit>) -> Factor {
+        let across = to_light.dot(view);
+        let base = if self.material.blinn {
+            let sum = (cosine.to_bits() as u32).wrapping_add(self.cosine.to_bits() as u32);
+            // |L - V|² / 4, as U0F32, is at most 1 and 0 only against the light.
+            let square = ((1 << 60) - across.to_bits()) >> 29;
+            let square = square.clamp(1, i64::from(u32::MAX)) as u32;
+            let shift = square.leading_zeros() & !1;
+            // Q30 * U1F31 * 2^(shift/2) / 2 -> Q31
+            let product = u64::from(sum) * u64::from(reciprocal_root(square << shift));
+            (product >> (31 - shift / 2)) as i64
+        } else {
+            // I4F60 -> Q31
+            ((cosine.wide_mul(self.cosine).to_bits() << 1) + across.to_bits() + (1 << 28)) >> 29
+        };
+        if base <= 0 {
+            return Factor::ZERO;
+        }
+        let highlight = power(base.min(1 << 31) as u32, self.material.shininess);
+        Factor::from_bits(((highlight + (1 << 15)) >> 16) as u16)
+    }
+
+    /// The rays that go on from here, each with the share of it that counts.
+    #[inline]
+    pub(crate) fn bounces(&self, ray: &Ray) -> Bounces {
+        let Material { kr, kt, .. } = *self.material;
+        let reflected = || self.bounce(self.mirrored(ray.direction), self.inside);
+        if kt.is_black() {
+            let reflected = (!kr.is_black()).then(|| (reflected(), kr));
+            return Bounces {
+                reflected,
+                transmitted: None,
+            };
+        }
+        match self.refracted(ray.direction) {
+            Some(direction) => Bounces {
+                reflected: (!kr.is_black()).then(|| (reflected(), kr)),
+                transmitted: Some((self.bounce(direction, !self.inside), kt)),
+            },
+            // Total internal reflection: a perfect mirror.
+            None => Bounces {
+                reflected: Some((reflected(), Color::WHITE)),
+                transmitted: None,
+            },
+        }
+    }
+
+    #[inline]
+    fn bounce(&self, direction: Vec3<Unit>, inward: bool) -> Ray {
+        Ray {
+            origin: self.point,
+            direction,
+            start: Start {
+                object: self.object,
+                inward,
+            },
+        }
+    }
+
+    /// `V - 2 n (n·V)`.
+    #[inline]
+    fn mirrored(&self, view: Vec3<Unit>) -> Vec3<Unit> {
+        view.zip(self.normal, |v, n| {
+            v + round_unit(n.wide_mul(self.cosine).to_bits(), 29)
+        })
+        .renormalized()
+    }
+
+    /// `η V + (η c - sqrt(k)) n` with `k = 1 - η² (1 - c²)`; `None` if k < 0.
+    #[inline]
+    fn refracted(&self, view: Vec3<Unit>) -> Option<Vec3<Unit>> {
+        if self.open {
+            return Some(view);
+        }
+        let eta = if self.inside {
+            self.material.ior
+        } else {
+            self.material.inverse_ior
+        };
+        // sin² = 1 - c²: Q60 -> U0F32; η²: I8F56 -> U5F27; their product: Q59
+        let sine_squared = ((1 << 60) - self.cosine.wide_mul(self.cosine).to_bits()).max(0) >> 28;
+        let sine_squared = sine_squared.min(i64::from(u32::MAX)) as u64;
+        let eta_squared = (eta.wide_mul(eta).to_bits() >> 29) as u64;
+        let k = (1 << 59) - (sine_squared * eta_squared) as i64;
+        if k < 0 {
+            return None;
+        }
+        // Q59 -> Q56, whose root is in Q28; η c: I4F28 * I2F30 -> Q28
+        let root = i64::from(square_root((k >> 3) as u64));
+        let along = ((eta.wide_mul(self.cosine).to_bits() + (1 << 29)) >> 30) - root;
+        let direction = view.zip(self.normal, |v, n| {
+            let sum = eta.wide_mul(v).to_bits() + along * i64::from(n.to_bits());
+            round_unit(sum, 28)
+        });
+        Some(direction.renormalized())
+    }
+}
+
+/// A cosine of 0 to 1 as a factor, rounded.
+#[inline(always)]
+fn factor(cosine: Unit) -> Factor {
+    Factor::from_bits((((cosine.to_bits() + (1 << 14)) >> 15) as u16).min(1 << 15))
+}
+
+/// What goes on from a hit.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Bounces {
+    pub(crate) reflected: Option<(Ray, Color<Factor>)>,
+    pub(crate) transmitted: Option<(Ray, Color<Factor>)>,
+}
