@@ -1,0 +1,107 @@
+//! Compiled scenes: the same picture, and no damaged byte is accepted.
+
+use std::fs;
+
+use embedded_graphics::geometry::Size;
+use whitted::{Crc32, DecodeError, Item, PreparedScene, SceneBuffer};
+use whitted_sim::{render, scene_file};
+
+fn compiled(name: &str) -> Vec<u8> {
+    scene_file::compile(format!("{}/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"))).unwrap()
+}
+
+fn checksum(scene: &PreparedScene<'_>) -> u32 {
+    render::checksum(&render::linear(scene, Size::new(64, 48)))
+}
+
+#[test]
+fn a_compiled_scene_draws_the_same_picture() {
+    for entry in fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/scenes")).unwrap() {
+        let path = entry.unwrap().path();
+        let file = scene_file::load(&path).unwrap();
+        let mut buffer = Box::new(scene_file::Buffer::new());
+        let scene = file.prepare(&mut buffer).unwrap();
+        let mut other = Box::new(scene_file::Buffer::new());
+        let bytes = scene_file::compile(&path).unwrap();
+        assert_eq!(bytes.len(), scene.encoded_len());
+        let decoded = other.decode(&bytes).unwrap();
+        assert_eq!(checksum(&scene), checksum(&decoded), "{}", path.display());
+    }
+}
+
+#[test]
+fn every_flipped_bit_is_refused() {
+    let bytes = compiled("whitted");
+    let mut buffer = SceneBuffer::<16, 4, 16>::new();
+    for bit in 0..bytes.len() * 8 {
+        let mut damaged = bytes.clone();
+        damaged[bit / 8] ^= 1 << (bit % 8);
+        assert!(buffer.decode(&damaged).is_err(), "bit {bit}");
+    }
+}
+
+#[test]
+fn every_truncation_and_extension_is_refused() {
+    let bytes = compiled("whitted");
+    let mut buffer = SceneBuffer::<16, 4, 16>::new();
+    for length in 0..bytes.len() {
+        assert!(buffer.decode(&bytes[..length]).is_err(), "{length}");
+    }
+    let mut longer = bytes.clone();
+    longer.push(0);
+    assert!(buffer.decode(&longer).is_err());
+    assert_eq!(
+        buffer.decode(b"[camera]").unwrap_err(),
+        DecodeError::NotAScene
+    );
+}
+
+/// Puts a right checksum behind changed bytes.
+fn resealed(mut bytes: Vec<u8>) -> Vec<u8> {
+    let body = bytes.len() - 4;
+    let mut crc = Crc32::new();
+    crc.update(&bytes[..body]);
+    bytes[body..].copy_from_slice(&crc.finish().to_le_bytes());
+    bytes
+}
+
+#[test]
+fn other_versions_and_impossible_values_are_refused() {
+    let mut buffer = SceneBuffer::<16, 4, 16>::new();
+    let mut newer = compiled("whitted");
+    newer[4] += 1;
+    let version = newer[4];
+    assert_eq!(
+        buffer.decode(&resealed(newer)).unwrap_err(),
+        DecodeError::Version(version)
+    );
+
+    let mut far_eye = compiled("whitted");
+    // After magic, version and three counts: the highest byte of the eye's x.
+    far_eye[11 + 3] = 0x7f;
+    assert_eq!(
+        buffer.decode(&resealed(far_eye)).unwrap_err(),
+        DecodeError::Invalid(Item::Scene)
+    );
+}
+
+#[test]
+fn a_scene_that_does_not_fit_is_refused() {
+    let mut buffer = SceneBuffer::<2, 4, 16>::new();
+    let error = buffer.decode(&compiled("whitted")).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "scene: objects are more than the 2 there is room for"
+    );
+}
+
+#[test]
+fn encoding_needs_enough_room() {
+    let mut buffer = SceneBuffer::<16, 4, 16>::new();
+    let bytes = compiled("whitted");
+    let scene = buffer.decode(&bytes).unwrap();
+    assert_eq!(scene.encode(&mut vec![0; bytes.len() - 1]), None);
+    let mut out = vec![0; bytes.len() + 5];
+    assert_eq!(scene.encode(&mut out), Some(bytes.len()));
+    assert_eq!(out[..bytes.len()], bytes);
+}

@@ -1,0 +1,206 @@
+//! What a renderer promises to a display.
+
+use std::convert::Infallible;
+
+use embedded_graphics::draw_target::DrawTarget;
+use embedded_graphics::mock_display::MockDisplay;
+use embedded_graphics::pixelcolor::{
+    Bgr565, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb565, Rgb666, Rgb888,
+};
+use embedded_graphics::prelude::*;
+use embedded_graphics::primitives::Rectangle;
+use whitted::{
+    Camera, Color, Light, Material, MaterialId, Object, Observer, RayKind, Real, Renderer, Scene,
+    SceneBuffer, Stats, Texture, Vec3,
+};
+
+const RED: Material = Material {
+    kd: Color::lit("0.8", "0.1", "0.1"),
+    ..Material::BLACK
+};
+
+static SCENE: Scene = Scene {
+    lights: &[Light::point(
+        Vec3::lit("-6", "11", "7"),
+        Color::gray(Real::ONE),
+    )],
+    materials: &[
+        RED,
+        Material {
+            kr: Color::lit("0.5", "0.5", "0.5"),
+            ..RED
+        },
+    ],
+    objects: &[
+        Object::sphere(Vec3::lit("0", "1", "0"), Real::ONE, MaterialId(1)),
+        Object::floor(Real::ZERO, Texture::Uniform(MaterialId(0))),
+    ],
+    max_depth: 2,
+    ..Scene::new(Camera::new(
+        Vec3::lit("0", "2", "8"),
+        Vec3::lit("0", "1", "0"),
+        Real::lit("33"),
+    ))
+};
+
+/// The mock display panics on a pixel that is drawn twice or lies outside.
+fn draws_every_pixel_once<C>(size: Size)
+where
+    C: PixelColor + whitted::Pixel,
+    MockDisplay<C>: DrawTarget<Color = C, Error = Infallible>,
+{
+    let mut buffer = SceneBuffer::<2, 1, 2>::new();
+    let scene = buffer.prepare(&SCENE).unwrap();
+    let mut display = MockDisplay::<C>::new();
+    Renderer::new(&scene, size).draw(&mut display).unwrap();
+    let drawn = Rectangle::new(Point::zero(), size);
+    for point in display.bounding_box().points() {
+        assert_eq!(
+            display.get_pixel(point).is_some(),
+            drawn.contains(point),
+            "{point}"
+        );
+    }
+}
+
+#[test]
+fn every_pixel_is_drawn_once_in_every_color() {
+    let size = Size::new(33, 17);
+    draws_every_pixel_once::<Rgb565>(size);
+    draws_every_pixel_once::<Rgb666>(size);
+    draws_every_pixel_once::<Rgb888>(size);
+    draws_every_pixel_once::<Bgr565>(size);
+    draws_every_pixel_once::<Bgr888>(size);
+    draws_every_pixel_once::<Gray8>(size);
+    draws_every_pixel_once::<Gray4>(size);
+    draws_every_pixel_once::<Gray2>(size);
+    draws_every_pixel_once::<BinaryColor>(size);
+}
+
+#[test]
+fn every_size_works() {
+    for (width, height) in [(0, 0), (0, 5), (5, 0), (1, 1), (64, 1), (1, 64), (64, 64)] {
+        draws_every_pixel_once::<Gray8>(Size::new(width, height));
+    }
+}
+
+/// Takes only whole lines, remembers them, and fails when told to.
+#[derive(Default)]
+struct LineDisplay {
+    lines: Vec<(Rectangle, Vec<Rgb888>)>,
+    fails_at: Option<usize>,
+}
+
+#[derive(Debug, PartialEq)]
+struct Unplugged;
+
+impl OriginDimensions for LineDisplay {
+    fn size(&self) -> Size {
+        Size::new(40, 30)
+    }
+}
+
+impl DrawTarget for LineDisplay {
+    type Color = Rgb888;
+    type Error = Unplugged;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb888>>>(&mut self, _: I) -> Result<(), Unplugged> {
+        panic!("pixel by pixel")
+    }
+
+    fn fill_contiguous<I: IntoIterator<Item = Rgb888>>(
+        &mut self,
+        area: &Rectangle,
+        colors: I,
+    ) -> Result<(), Unplugged> {
+        if self.fails_at == Some(self.lines.len()) {
+            return Err(Unplugged);
+        }
+        self.lines.push((*area, colors.into_iter().collect()));
+        Ok(())
+    }
+}
+
+#[test]
+fn a_line_is_one_fill_contiguous() {
+    let mut buffer = SceneBuffer::<2, 1, 2>::new();
+    let scene = buffer.prepare(&SCENE).unwrap();
+    let mut display = LineDisplay::default();
+    let mut renderer = Renderer::new(&scene, display.size());
+    renderer.draw(&mut display).unwrap();
+    assert_eq!(display.lines.len(), 30);
+    for (y, (area, colors)) in (0..).zip(&display.lines) {
+        assert_eq!(*area, Rectangle::new(Point::new(0, y), Size::new(40, 1)));
+        // The slice entry gives the same line.
+        let mut line = [Rgb888::BLACK; 40];
+        renderer.render_line(y as u32, &mut line);
+        assert_eq!(colors.as_slice(), line);
+    }
+}
+
+#[test]
+fn a_display_error_comes_back_and_the_line_can_be_drawn_again() {
+    let mut buffer = SceneBuffer::<2, 1, 2>::new();
+    let scene = buffer.prepare(&SCENE).unwrap();
+    let mut whole = LineDisplay::default();
+    Renderer::new(&scene, whole.size())
+        .draw(&mut whole)
+        .unwrap();
+
+    let mut display = LineDisplay {
+        fails_at: Some(7),
+        ..LineDisplay::default()
+    };
+    let mut renderer = Renderer::new(&scene, display.size());
+    assert_eq!(renderer.draw(&mut display), Err(Unplugged));
+    assert_eq!(display.lines.len(), 7);
+    display.fails_at = None;
+    (7..30)
+        .try_for_each(|y| renderer.draw_line(y, &mut display))
+        .unwrap();
+    assert!(display.lines == whole.lines);
+}
+
+#[test]
+fn lines_outside_of_the_picture_are_empty() {
+    let mut buffer = SceneBuffer::<2, 1, 2>::new();
+    let scene = buffer.prepare(&SCENE).unwrap();
+    let mut renderer = Renderer::new(&scene, Size::new(8, 4));
+    assert_eq!(renderer.line(3).count(), 8);
+    assert_eq!(renderer.line(4).count(), 0);
+    assert_eq!(renderer.line(u32::MAX).count(), 0);
+    let mut line = [Rgb888::RED; 10];
+    renderer.render_line(0, &mut line);
+    assert_eq!(line[8..], [Rgb888::RED; 2]);
+}
+
+#[test]
+fn an_observer_is_told_of_every_ray() {
+    #[derive(Default)]
+    struct Deepest(u32);
+    impl Observer for Deepest {
+        fn ray(&mut self, kind: RayKind) {
+            self.0 += u32::from(kind == RayKind::Reflected);
+        }
+    }
+
+    let mut buffer = SceneBuffer::<2, 1, 2>::new();
+    let mut scene = buffer.prepare(&SCENE).unwrap();
+    let count = |scene: &_| {
+        let mut renderer = Renderer::with_observer(scene, Size::new(16, 8), Stats::default());
+        (0..8).for_each(|y| renderer.line(y).for_each(drop));
+        *renderer.observer()
+    };
+    let stats = count(&scene);
+    assert_eq!(stats.eye, 16 * 8);
+    assert!(stats.reflected > 0 && stats.shadow > stats.eye / 2);
+    assert_eq!(stats.transmitted, 0);
+    assert!(stats.intersections >= 2 * u64::from(stats.eye + stats.reflected));
+
+    let mut renderer = Renderer::with_observer(&scene, Size::new(16, 8), Deepest::default());
+    (0..8).for_each(|y| renderer.line(y).for_each(drop));
+    assert_eq!(renderer.observer().0, stats.reflected);
+
+    scene.set_max_depth(0).unwrap();
+    assert_eq!(count(&scene).reflected, 0);
+}

@@ -1,0 +1,296 @@
+//! What preparing refuses, item by item.
+
+use whitted::{
+    Axis, Background, Bounds, Camera, Color, Item, Light, Material, MaterialId, Object, Real,
+    Scene, SceneBuffer, SceneError, Shape, Texture, Vec3,
+};
+
+const CAMERA: Camera = Camera::new(
+    Vec3::lit("0", "2", "8"),
+    Vec3::lit("0", "1", "0"),
+    Real::lit("33"),
+);
+const SPHERE: Object = Object::sphere(Vec3::lit("0", "1", "0"), Real::ONE, MaterialId(0));
+
+/// The error of a scene with one of each.
+fn error(camera: Camera, light: Light, material: Material, object: Object) -> SceneError {
+    let scene = Scene {
+        lights: &[light],
+        materials: &[material],
+        objects: &[SPHERE, object],
+        ..Scene::new(camera)
+    };
+    SceneBuffer::<2, 1, 1>::new().prepare(&scene).unwrap_err()
+}
+
+fn light() -> Light {
+    Light::point(Vec3::lit("-6", "11", "7"), Color::gray(Real::ONE))
+}
+
+fn camera_error(camera: Camera) -> String {
+    error(camera, light(), Material::BLACK, SPHERE).to_string()
+}
+
+fn light_error(light: Light) -> String {
+    error(CAMERA, light, Material::BLACK, SPHERE).to_string()
+}
+
+fn material_error(material: Material) -> String {
+    error(CAMERA, light(), material, SPHERE).to_string()
+}
+
+fn object_error(object: Object) -> String {
+    error(CAMERA, light(), Material::BLACK, object).to_string()
+}
+
+fn setting_error(scene: Scene<'_>) -> String {
+    SceneBuffer::<1, 1, 1>::new()
+        .prepare(&scene)
+        .unwrap_err()
+        .to_string()
+}
+
+#[test]
+fn cameras() {
+    let far = Real::lit("16777217");
+    assert_eq!(
+        camera_error(Camera {
+            eye: Vec3::new(far, Real::ZERO, Real::ZERO),
+            ..CAMERA
+        }),
+        "camera: eye must be from -16777216 to 16777216"
+    );
+    assert_eq!(
+        camera_error(Camera {
+            look_at: CAMERA.eye,
+            ..CAMERA
+        }),
+        "camera: look_at must be another point than the eye"
+    );
+    assert_eq!(
+        camera_error(Camera {
+            up: Vec3::lit("0", "0", "0"),
+            ..CAMERA
+        }),
+        "camera: up must not be zero"
+    );
+    assert_eq!(
+        camera_error(Camera {
+            up: Vec3::lit("0", "1", "8"),
+            ..CAMERA
+        }),
+        "camera: up must not point along the view"
+    );
+    for fovy_deg in ["0.9", "171", "-30"] {
+        let camera = Camera {
+            fovy_deg: Real::lit(fovy_deg),
+            ..CAMERA
+        };
+        assert_eq!(
+            camera_error(camera),
+            "camera: fovy_deg must be from 1 to 170"
+        );
+    }
+}
+
+#[test]
+fn lights() {
+    let bright = Color::gray(Real::lit("257"));
+    assert_eq!(
+        light_error(Light {
+            diffuse: bright,
+            ..light()
+        }),
+        "light 0: diffuse must be from 0 to 256"
+    );
+    let negative = Color::lit("0", "-0.1", "0");
+    assert_eq!(
+        light_error(Light {
+            specular: negative,
+            ..light()
+        }),
+        "light 0: specular must be from 0 to 256"
+    );
+}
+
+#[test]
+fn materials() {
+    let over = Color::lit("0.5", "0.5", "1.01");
+    for (field, material) in [
+        (
+            "ka",
+            Material {
+                ka: over,
+                ..Material::BLACK
+            },
+        ),
+        (
+            "kd",
+            Material {
+                kd: over,
+                ..Material::BLACK
+            },
+        ),
+        (
+            "ks",
+            Material {
+                ks: over,
+                ..Material::BLACK
+            },
+        ),
+        (
+            "kr",
+            Material {
+                kr: over,
+                ..Material::BLACK
+            },
+        ),
+        (
+            "kt",
+            Material {
+                kt: over,
+                ..Material::BLACK
+            },
+        ),
+    ] {
+        assert_eq!(
+            material_error(material),
+            format!("material 0: {field} must be from 0 to 1")
+        );
+    }
+    let gray = Color::gray(Real::lit("0.5"));
+    let dull = Material {
+        ks: gray,
+        shininess: Real::lit("0.9"),
+        ..Material::BLACK
+    };
+    assert_eq!(
+        material_error(dull),
+        "material 0: shininess must be from 1 to 4096"
+    );
+    let dense = Material {
+        kt: gray,
+        ior: Real::lit("4.1"),
+        ..Material::BLACK
+    };
+    assert_eq!(material_error(dense), "material 0: ior must be from 1 to 4");
+    // Neither is read where its coefficient is black.
+    let unread = Material {
+        shininess: Real::ZERO,
+        ior: Real::ZERO,
+        ..Material::BLACK
+    };
+    let scene = Scene {
+        materials: &[unread],
+        ..Scene::new(CAMERA)
+    };
+    assert!(SceneBuffer::<0, 0, 1>::new().prepare(&scene).is_ok());
+}
+
+#[test]
+fn spheres() {
+    let sphere =
+        |radius: &str| Object::sphere(Vec3::lit("0", "1", "0"), Real::lit(radius), MaterialId(0));
+    assert!(object_error(sphere("0")).starts_with("object 1: radius must be from 0.00000"));
+    assert!(object_error(sphere("-1")).starts_with("object 1: radius must be from 0.00000"));
+    // The scene is some ten units across: less than a thousandth of a thousandth of it is no sphere.
+    assert!(object_error(sphere("0.00002")).starts_with("object 1: radius must be from 0.00003"));
+    let dangling = Object {
+        texture: Texture::Uniform(MaterialId(7)),
+        ..SPHERE
+    };
+    assert_eq!(
+        object_error(dangling),
+        "object 1: material names material 7, which is not there"
+    );
+}
+
+#[test]
+fn planes() {
+    let plane = |normal, bounds| Object {
+        shape: Shape::Plane {
+            normal,
+            point: Vec3::lit("0", "0", "0"),
+            bounds,
+        },
+        texture: Texture::Uniform(MaterialId(0)),
+    };
+    let up = Vec3::lit("0", "1", "0");
+    assert_eq!(
+        object_error(plane(Vec3::lit("0", "0", "0"), Bounds::NONE)),
+        "object 1: normal must not be zero"
+    );
+    let empty = Bounds {
+        z: Some([Real::ONE, Real::ONE]),
+        ..Bounds::NONE
+    };
+    assert_eq!(
+        object_error(plane(up, empty)),
+        "object 1: bounds.z must run from a lower to a higher value"
+    );
+    let checker = |axes, size: &str| Object {
+        texture: Texture::Checker {
+            size: Real::lit(size),
+            axes,
+            materials: [MaterialId(0); 2],
+        },
+        ..plane(up, Bounds::NONE)
+    };
+    assert_eq!(
+        object_error(checker([Axis::Y, Axis::Y], "1")),
+        "object 1: checker.axes must name two different axes"
+    );
+    assert!(
+        object_error(checker([Axis::X, Axis::Z], "0"))
+            .starts_with("object 1: checker.size must be from")
+    );
+}
+
+#[test]
+fn settings() {
+    let scene = Scene::new(CAMERA);
+    assert_eq!(
+        setting_error(Scene {
+            max_depth: 33,
+            ..scene
+        }),
+        "scene: max_depth must be from 0 to 32"
+    );
+    assert_eq!(
+        setting_error(Scene {
+            min_weight: Real::lit("1.1"),
+            ..scene
+        }),
+        "scene: min_weight must be from 0 to 1"
+    );
+    let dark = Color::gray(Real::lit("-1"));
+    assert_eq!(
+        setting_error(Scene {
+            ambient: dark,
+            ..scene
+        }),
+        "scene: ambient must be from 0 to 256"
+    );
+    assert_eq!(
+        setting_error(Scene {
+            background: Background::Solid(dark),
+            ..scene
+        }),
+        "scene: background must be from 0 to 256"
+    );
+    assert_eq!(
+        setting_error(Scene {
+            objects: &[SPHERE; 2],
+            materials: &[Material::BLACK],
+            ..scene
+        }),
+        "scene: objects are more than the 1 there is room for"
+    );
+    let prepared_depth = |depth| {
+        let mut buffer = SceneBuffer::<1, 1, 1>::new();
+        let mut prepared = buffer.prepare(&scene).unwrap();
+        prepared.set_max_depth(depth).map_err(|error| error.item)
+    };
+    assert_eq!(prepared_depth(32), Ok(()));
+    assert_eq!(prepared_depth(33), Err(Item::Scene));
+}

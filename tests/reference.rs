@@ -1,0 +1,57 @@
+//! Against the reference images: 16-bit linear pictures by POV-Ray 3.7 and, of
+//! `ftb`, by a double-precision tracer; see tests/reference/README.md.
+//!
+//! A bound is the measured value less a small margin, so that a regression of
+//! the arithmetic fails.
+
+mod common;
+
+use std::fs;
+
+use whitted_oracle::{compare, read_png};
+
+/// Compares a scene at its reference's size.
+#[track_caller]
+fn check(name: &str, least_psnr: f64, least_within_one: f64) {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/reference");
+    let text = fs::read_to_string(format!("{folder}/scenes/{name}.toml")).unwrap();
+    let image = read_png(&format!("{folder}/images/{name}.png"));
+    let rendered = common::render(&text, image.width, image.height);
+    let result = compare(&rendered, &image.pixels);
+    println!(
+        "{name}: {:.1} dB, {:.3} % within 1/255",
+        result.psnr,
+        100.0 * result.within_one
+    );
+    assert!(result.psnr > least_psnr, "{name}: {:.2} dB", result.psnr);
+    assert!(
+        result.within_one >= least_within_one,
+        "{name}: {:.5} within 1/255",
+        result.within_one
+    );
+}
+
+macro_rules! references {
+    ($($test:ident: $name:literal, $psnr:literal dB, $within:literal;)*) => {$(
+        #[test]
+        fn $test() {
+            check($name, $psnr, $within);
+        }
+    )*};
+}
+
+references! {
+    whitted: "01_whitted", 96.0 dB, 1.0;
+    still_life: "02_still_life", 99.0 dB, 1.0;
+    phong_terms: "03_phong_terms", 102.0 dB, 1.0;
+    shininess_phong: "04_shininess_phong", 101.0 dB, 1.0;
+    shininess_blinn: "05_shininess_blinn", 100.5 dB, 1.0;
+    // A few pixels of checker edges far away, seen through glass.
+    glass_indices: "11_glass_indices", 83.0 dB, 0.9997;
+    four_spheres: "ftb", 66.0 dB, 0.9999;
+    kt_plus_kd: "t06_kt_plus_kd", 88.5 dB, 0.9998;
+    emission_ambient: "t13_emission_ambient", 99.0 dB, 1.0;
+    camera_inside_glass: "t15_camera_inside_glass", 98.5 dB, 1.0;
+    backlit_phong: "t18_backlit_phong", 100.0 dB, 1.0;
+    backlit_blinn: "t19_backlit_blinn", 100.0 dB, 1.0;
+}
