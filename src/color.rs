@@ -20,8 +20,9 @@ impl<T> Color<T> {
         Self { r, g, b }
     }
 
+    /// The color whose channels are `f` of this one's.
     #[inline(always)]
-    pub(crate) fn map<U>(self, f: impl Fn(T) -> U) -> Color<U> {
+    pub fn map<U>(self, f: impl Fn(T) -> U) -> Color<U> {
         Color::new(f(self.r), f(self.g), f(self.b))
     }
 

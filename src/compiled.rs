@@ -91,7 +91,7 @@ macro_rules! integers {
 integers!(u8, i8, u16, u32, i64);
 
 /// A number of the `fixed` crate by its bits.
-fn fixed<F: Fixed, const N: usize>(value: &mut F, archive: &mut impl Archive)
+fn fixed<F, const N: usize>(value: &mut F, archive: &mut impl Archive)
 where
     F: Fixed<Bytes = [u8; N]>,
 {

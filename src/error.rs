@@ -17,6 +17,17 @@ pub struct SceneError {
     pub problem: Problem,
 }
 
+impl SceneError {
+    pub(crate) fn too_many(list: &'static str, capacity: usize) -> Self {
+        let capacity = u16::try_from(capacity).unwrap_or(u16::MAX);
+        Self {
+            item: Item::Scene,
+            field: list,
+            problem: Problem::TooMany { capacity },
+        }
+    }
+}
+
 /// A part of a scene; lists are numbered from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Item {

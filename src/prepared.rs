@@ -10,7 +10,7 @@ use heapless::Vec;
 use crate::num::{Factor, Length, Radiance, Real, Unit};
 use crate::shape::Shape;
 use crate::texture::Texture;
-use crate::{Color, DecodeError, Item, Problem, Scene, SceneError, Vec3, compiled, prepare};
+use crate::{Color, DecodeError, Scene, SceneError, Vec3, compiled, prepare};
 
 /// Room for a prepared scene, in a `static` or on the stack: so many objects,
 /// lights and materials.
@@ -99,30 +99,19 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize> Room
     fn push_object(&mut self, object: Object) -> Result<(), SceneError> {
         self.objects
             .push(object)
-            .map_err(|_| too_many("objects", OBJECTS))
+            .map_err(|_| SceneError::too_many("objects", OBJECTS))
     }
 
     fn push_light(&mut self, light: Light) -> Result<(), SceneError> {
         self.lights
             .push(light)
-            .map_err(|_| too_many("lights", LIGHTS))
+            .map_err(|_| SceneError::too_many("lights", LIGHTS))
     }
 
     fn push_material(&mut self, material: Material) -> Result<(), SceneError> {
         self.materials
             .push(material)
-            .map_err(|_| too_many("materials", MATERIALS))
-    }
-}
-
-fn too_many(field: &'static str, capacity: usize) -> SceneError {
-    let problem = Problem::TooMany {
-        capacity: capacity as u16,
-    };
-    SceneError {
-        item: Item::Scene,
-        field,
-        problem,
+            .map_err(|_| SceneError::too_many("materials", MATERIALS))
     }
 }
 
@@ -139,6 +128,11 @@ impl PreparedScene<'_> {
     /// Secondary generations of rays.
     pub fn max_depth(&self) -> u8 {
         self.settings.max_depth
+    }
+
+    /// How many objects, lights and materials there are.
+    pub fn counts(&self) -> [usize; 3] {
+        [self.objects.len(), self.lights.len(), self.materials.len()]
     }
 
     /// Changes the number of secondary generations.

@@ -32,6 +32,9 @@ struct Branch {
 pub(crate) struct Stack(Vec<Branch, { MAX_DEPTH as usize }>);
 
 /// The radiance that an eye ray brings back.
+///
+/// Not inlined: there is one copy of all tracing, whatever it is drawn into.
+#[inline(never)]
 pub(crate) fn trace(
     scene: &PreparedScene<'_>,
     ray: Ray,

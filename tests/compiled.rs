@@ -1,5 +1,7 @@
 //! Compiled scenes: the same picture, and no damaged byte is accepted.
 
+#![allow(clippy::unwrap_used)]
+
 use std::fs;
 
 use embedded_graphics::geometry::Size;

@@ -1,5 +1,7 @@
 //! What a renderer promises to a display.
 
+#![allow(clippy::unwrap_used)]
+
 use std::convert::Infallible;
 
 use embedded_graphics::draw_target::DrawTarget;

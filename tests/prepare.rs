@@ -1,5 +1,7 @@
 //! What preparing refuses, item by item.
 
+#![allow(clippy::unwrap_used)]
+
 use whitted::{
     Axis, Background, Bounds, Camera, Color, Item, Light, Material, MaterialId, Object, Real,
     Scene, SceneBuffer, SceneError, Shape, Texture, Vec3,

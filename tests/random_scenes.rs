@@ -1,6 +1,8 @@
 //! Random scenes against the double-precision oracle, which reads the same
 //! scene file by itself.
 
+#![allow(clippy::unwrap_used)]
+
 mod common;
 
 use std::fmt::Write;

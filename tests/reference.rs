@@ -4,6 +4,8 @@
 //! A bound is the measured value less a small margin, so that a regression of
 //! the arithmetic fails.
 
+#![allow(clippy::unwrap_used)]
+
 mod common;
 
 use std::fs;
@@ -15,7 +17,7 @@ use whitted_oracle::{compare, read_png};
 fn check(name: &str, least_psnr: f64, least_within_one: f64) {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/reference");
     let text = fs::read_to_string(format!("{folder}/scenes/{name}.toml")).unwrap();
-    let image = read_png(&format!("{folder}/images/{name}.png"));
+    let image = read_png(format!("{folder}/images/{name}.png"));
     let rendered = common::render(&text, image.width, image.height);
     let result = compare(&rendered, &image.pixels);
     println!(

@@ -1,11 +1,11 @@
 use heapless::Vec;
 
-use crate::{Camera, Light, Material, MaterialId, Object, Scene};
+use crate::{Camera, Light, Material, MaterialId, Object, Scene, SceneError};
 
 /// A scene that is put together at run time, without allocation.
 ///
-/// Room for `OBJECTS`, `LIGHTS` and `MATERIALS`; what does not fit comes back
-/// as the error. `settings` holds all that is not a list.
+/// Room for `OBJECTS`, `LIGHTS` and `MATERIALS`; one more of them is an error
+/// that says so. `settings` holds all that is not a list.
 ///
 /// ```
 /// use whitted::{Camera, Color, Light, Material, Object, Real, SceneBuilder, Vec3};
@@ -13,11 +13,11 @@ use crate::{Camera, Light, Material, MaterialId, Object, Scene};
 /// let camera = Camera::new(Vec3::lit("0", "2", "8"), Vec3::lit("0", "1", "0"), Real::lit("33"));
 /// let mut builder = SceneBuilder::<4, 1, 2>::new(camera);
 /// let red = builder.material(Material { kd: Color::lit("0.6", "0.04", "0.03"), ..Material::BLACK })?;
-/// builder.light(Light::point(Vec3::lit("-6", "11", "7"), Color::gray(Real::ONE))).unwrap();
-/// builder.object(Object::sphere(Vec3::lit("0", "1", "0"), Real::ONE, red)).unwrap();
+/// builder.light(Light::point(Vec3::lit("-6", "11", "7"), Color::gray(Real::ONE)))?;
+/// builder.object(Object::sphere(Vec3::lit("0", "1", "0"), Real::ONE, red))?;
 /// builder.settings.max_depth = 2;
 /// assert_eq!(builder.scene().objects.len(), 1);
-/// # Ok::<(), Material>(())
+/// # Ok::<(), whitted::SceneError>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct SceneBuilder<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize> {
@@ -43,20 +43,28 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize>
     }
 
     /// Adds a material; objects name it by what comes back.
-    pub fn material(&mut self, material: Material) -> Result<MaterialId, Material> {
+    pub fn material(&mut self, material: Material) -> Result<MaterialId, SceneError> {
         let id = MaterialId(self.materials.len() as u16);
-        self.materials.push(material).map(|()| id)
+        self.materials
+            .push(material)
+            .map_err(|_| SceneError::too_many("materials", MATERIALS))?;
+        Ok(id)
     }
 
     /// Adds a light.
-    pub fn light(&mut self, light: Light) -> Result<(), Light> {
-        self.lights.push(light)
+    pub fn light(&mut self, light: Light) -> Result<(), SceneError> {
+        self.lights
+            .push(light)
+            .map_err(|_| SceneError::too_many("lights", LIGHTS))
     }
 
     /// Adds an object; its number is how many were added before it.
-    pub fn object(&mut self, object: Object) -> Result<usize, Object> {
+    pub fn object(&mut self, object: Object) -> Result<usize, SceneError> {
         let index = self.objects.len();
-        self.objects.push(object).map(|()| index)
+        self.objects
+            .push(object)
+            .map_err(|_| SceneError::too_many("objects", OBJECTS))?;
+        Ok(index)
     }
 
     /// The objects so far, to be moved or changed between frames.

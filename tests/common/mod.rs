@@ -5,7 +5,7 @@ use whitted::Real;
 use whitted_sim::{render, scene_file};
 
 /// Linear colors of 0 to 1, row by row, with no branch of the ray tree cut off.
-pub fn render(text: &str, width: u32, height: u32) -> Vec<[f64; 3]> {
+pub(crate) fn render(text: &str, width: u32, height: u32) -> Vec<[f64; 3]> {
     let file =
         scene_file::parse("scene.toml", text).unwrap_or_else(|error| panic!("{error}\n{text}"));
     let mut buffer = Box::new(scene_file::Buffer::new());
