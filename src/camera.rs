@@ -1,7 +1,5 @@
 //! Where rays come from: a pinhole camera in front of a raster of pixels.
 
-use embedded_graphics_core::geometry::Size;
-
 use crate::Vec3;
 use crate::num::{Length, Unit, inverse_length, reciprocal, wide};
 use crate::prepared::Camera;
@@ -25,13 +23,13 @@ pub(crate) struct View {
     right: Vec3<i64>,
     /// `-g u`: half a pixel down.
     down: Vec3<i64>,
-    size: Size,
+    pub(crate) width: u32,
+    pub(crate) height: u32,
 }
 
 impl View {
-    pub(crate) fn new(camera: &Camera, size: Size) -> Self {
-        let width = size.width.min(MAX_SIDE);
-        let height = size.height.min(MAX_SIDE);
+    pub(crate) fn new(camera: &Camera, width: u32, height: u32) -> Self {
+        let (width, height) = (width.min(MAX_SIDE), height.min(MAX_SIDE));
         // tangent / height: U4F28 * U1F31 -> U6F58
         let shift = height.max(1).leading_zeros();
         let g = wide(camera.tangent, reciprocal(height.max(1) << shift)) >> (33 - shift);
@@ -51,19 +49,15 @@ impl View {
                 .map(|c| (i64::from(c.to_bits()) << 32) >> divisor),
             right: camera.right.map(half_pixel),
             down: camera.up.map(|c| -half_pixel(c)),
-            size: Size::new(width, height),
+            width,
+            height,
         }
-    }
-
-    /// How many pixels there are.
-    pub(crate) fn size(&self) -> Size {
-        self.size
     }
 
     /// The rays of line `y`, from left to right.
     pub(crate) fn line(&self, y: u32) -> Line {
-        let down = 2 * i64::from(y.min(MAX_SIDE)) + 1 - i64::from(self.size.height);
-        let left = 1 - i64::from(self.size.width);
+        let down = 2 * i64::from(y.min(MAX_SIDE)) + 1 - i64::from(self.height);
+        let left = 1 - i64::from(self.width);
         let across = self.right.zip(self.down, |r, d| {
             r.wrapping_mul(left).wrapping_add(d.wrapping_mul(down))
         });
@@ -71,11 +65,7 @@ impl View {
             eye: self.eye,
             direction: self.forward.zip(across, i64::wrapping_add),
             step: self.right.map(|r| 2 * r),
-            remaining: if y < self.size.height {
-                self.size.width
-            } else {
-                0
-            },
+            remaining: if y < self.height { self.width } else { 0 },
         }
     }
 }

@@ -15,8 +15,9 @@ use core::mem::size_of;
 use fixed::traits::Fixed;
 
 use crate::num::{Factor, Length, Unit};
-use crate::prepare::{MAX_DEPTH, OFFSET_BITS};
-use crate::prepared::{Camera, Light, Material, Object, PreparedScene, Room, Settings};
+use crate::prepared::{
+    Camera, Light, MAX_DEPTH, Material, OFFSET_BITS, Object, PreparedScene, Room, Settings,
+};
 use crate::shape::{Bounds, Plane, Shape, Sphere};
 use crate::texture::{Checker, Texture};
 use crate::{Axis, Color, Crc32, DecodeError, Item, Vec3};

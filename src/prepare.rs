@@ -8,7 +8,7 @@ mod check;
 mod frame;
 mod trigonometry;
 
-pub(crate) use check::{MAX_DEPTH, max_depth, min_weight};
+pub(crate) use check::{max_depth, min_weight};
 
 use crate::num::{Factor, Length, Radiance, reciprocal};
 use crate::prepared::{Camera, Light, Material, Object, Room, Settings};
@@ -18,7 +18,6 @@ use crate::texture::{Checker, Texture};
 use crate::{Axis, Color, Item, Problem, Real, Scene, SceneError, Shading, Vec3};
 
 use check::fail;
-pub(crate) use frame::OFFSET_BITS;
 use frame::{Frame, cross, direction};
 
 /// Prepares a scene into `room`.

@@ -47,7 +47,7 @@ impl<'s> Renderer<'s> {
 impl<'s, O: Observer> Renderer<'s, O> {
     /// A renderer that tells an observer of every ray.
     pub fn with_observer(scene: &'s PreparedScene<'s>, size: Size, observer: O) -> Self {
-        let view = View::new(&scene.settings.camera, size);
+        let view = View::new(&scene.settings.camera, size.width, size.height);
         Self {
             scene,
             view,
@@ -63,7 +63,7 @@ impl<'s, O: Observer> Renderer<'s, O> {
 
     /// The size of the picture.
     pub fn size(&self) -> Size {
-        self.view.size()
+        Size::new(self.view.width, self.view.height)
     }
 
     /// The linear colors of line `y`, traced one by one as they are asked

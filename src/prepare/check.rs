@@ -1,14 +1,12 @@
 //! What may be in a scene.
 
 use crate::num::{Factor, Real};
+use crate::prepared::MAX_DEPTH;
 use crate::scene::{Background, Camera, Light, Material, Object, Shape, Texture};
 use crate::{Color, Item, MaterialId, Problem, Scene, SceneError, Vec3};
 
 use super::factor;
 use super::frame::Frame;
-
-/// The most secondary generations of rays.
-pub(crate) const MAX_DEPTH: u8 = 32;
 
 /// The farthest coordinate, ±2^24: sums and differences keep within [`Real`].
 const FARTHEST: Real = Real::lit("16777216");

@@ -1,6 +1,7 @@
 //! The scale of a scene.
 
 use crate::num::{Length, Real, Unit, inverse_length};
+use crate::prepared::OFFSET_BITS;
 use crate::scene::Shape;
 use crate::vector::normalize;
 use crate::{Problem, Scene, Vec3};
@@ -113,9 +114,6 @@ impl Frame {
 
 /// The finest scale: a step of a [`Real`] is then one of a [`Length`].
 const FINEST: i32 = 4;
-
-/// Offsets of planes are below 2^48 steps, 2^20 times the finite geometry.
-pub(crate) const OFFSET_BITS: i32 = 48;
 
 /// `x * 2^shift`, rounded.
 fn shifted(x: i128, shift: i32) -> i128 {

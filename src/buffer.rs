@@ -1,0 +1,133 @@
+//! The caller's memory for a prepared scene, and the ways into it.
+
+use heapless::Vec;
+
+use crate::prepared::{Light, Material, Object, Room, Settings};
+use crate::{DecodeError, PreparedScene, Real, Scene, SceneError, compiled, prepare};
+
+/// Room for a prepared scene, in a `static` or on the stack: so many objects,
+/// lights and materials.
+///
+/// An object takes 72 bytes, a light 24, a material 52.
+///
+/// ```
+/// use whitted::{Camera, Real, Scene, SceneBuffer, Vec3};
+///
+/// let camera = Camera::new(Vec3::lit("0", "2", "8"), Vec3::lit("0", "1", "0"), Real::lit("33"));
+/// let mut buffer = SceneBuffer::<8, 2, 8>::new();
+/// let scene = buffer.prepare(&Scene::new(camera))?;
+/// assert_eq!(scene.max_depth(), 5);
+/// # Ok::<(), whitted::SceneError>(())
+/// ```
+#[derive(Clone, Debug, Default)]
+pub struct SceneBuffer<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize> {
+    objects: Vec<Object, OBJECTS>,
+    lights: Vec<Light, LIGHTS>,
+    materials: Vec<Material, MATERIALS>,
+}
+
+impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize>
+    SceneBuffer<OBJECTS, LIGHTS, MATERIALS>
+{
+    /// An empty buffer.
+    pub const fn new() -> Self {
+        Self {
+            objects: Vec::new(),
+            lights: Vec::new(),
+            materials: Vec::new(),
+        }
+    }
+
+    /// Checks a scene and makes it ready for tracing, in integer arithmetic
+    /// alone: it comes out the same on every target.
+    ///
+    /// # Errors
+    /// The first item that cannot be rendered, and what is wrong with it.
+    pub fn prepare(&mut self, scene: &Scene<'_>) -> Result<PreparedScene<'_>, SceneError> {
+        let settings = prepare::prepare(scene, self)?;
+        Ok(self.scene(settings))
+    }
+
+    /// Reads a scene that [`PreparedScene::encode`] wrote.
+    ///
+    /// # Errors
+    /// Whatever keeps the bytes from being such a scene. The buffer is then empty.
+    pub fn decode(&mut self, bytes: &[u8]) -> Result<PreparedScene<'_>, DecodeError> {
+        let decoded = compiled::decode(bytes, self);
+        if decoded.is_err() {
+            self.clear();
+        }
+        decoded.map(|settings| self.scene(settings))
+    }
+
+    fn scene(&self, settings: Settings) -> PreparedScene<'_> {
+        PreparedScene {
+            settings,
+            objects: &self.objects,
+            lights: &self.lights,
+            materials: &self.materials,
+        }
+    }
+}
+
+impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize> Room
+    for SceneBuffer<OBJECTS, LIGHTS, MATERIALS>
+{
+    fn clear(&mut self) {
+        self.objects.clear();
+        self.lights.clear();
+        self.materials.clear();
+    }
+
+    fn push_object(&mut self, object: Object) -> Result<(), SceneError> {
+        self.objects
+            .push(object)
+            .map_err(|_| SceneError::too_many("objects", OBJECTS))
+    }
+
+    fn push_light(&mut self, light: Light) -> Result<(), SceneError> {
+        self.lights
+            .push(light)
+            .map_err(|_| SceneError::too_many("lights", LIGHTS))
+    }
+
+    fn push_material(&mut self, material: Material) -> Result<(), SceneError> {
+        self.materials
+            .push(material)
+            .map_err(|_| SceneError::too_many("materials", MATERIALS))
+    }
+}
+
+impl PreparedScene<'_> {
+    /// Changes the number of secondary generations.
+    ///
+    /// # Errors
+    /// Above 32.
+    pub fn set_max_depth(&mut self, max_depth: u8) -> Result<(), SceneError> {
+        self.settings.max_depth = prepare::max_depth(max_depth)?;
+        Ok(())
+    }
+
+    /// Changes the weight below which a branch of the ray tree ends.
+    ///
+    /// # Errors
+    /// Outside of 0 to 1.
+    pub fn set_min_weight(&mut self, min_weight: Real) -> Result<(), SceneError> {
+        self.settings.min_weight = prepare::min_weight(min_weight)?;
+        Ok(())
+    }
+
+    /// How many bytes [`encode`](Self::encode) writes.
+    pub fn encoded_len(&self) -> usize {
+        compiled::encoded_len(self)
+    }
+
+    /// Writes the scene as bytes that [`SceneBuffer::decode`] reads, and says
+    /// how many; `None` if `out` is too short.
+    ///
+    /// All integers are little-endian and already scaled. The bytes begin with
+    /// a version and end with a CRC-32.
+    pub fn encode(&self, out: &mut [u8]) -> Option<usize> {
+        compiled::encode(self, out)
+    }
+}
