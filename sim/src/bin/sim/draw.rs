@@ -1,0 +1,52 @@
+//! Rendering as a display gets it: through `Renderer::draw`, in its pixels.
+
+use std::time::Duration;
+
+use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray4, Gray8, Rgb565, Rgb888};
+use embedded_graphics::prelude::*;
+use embedded_graphics_simulator::{OutputImage, OutputSettings, SimulatorDisplay};
+use whitted::{PreparedScene, Renderer, Stats};
+
+use crate::args::Format;
+use crate::outcome::Outcome;
+use crate::progress::{Progress, Watched};
+
+/// A display's picture and what it took.
+pub(crate) struct Drawing {
+    pub(crate) image: OutputImage<Rgb888>,
+    pub(crate) stats: Stats,
+    pub(crate) time: Duration,
+}
+
+/// Draws on a display of the format.
+pub(crate) fn draw(scene: &PreparedScene<'_>, size: Size, format: Format) -> Outcome<Drawing> {
+    match format {
+        Format::Rgb888 => on_display::<Rgb888>(scene, size),
+        Format::Rgb565 => on_display::<Rgb565>(scene, size),
+        Format::Gray8 => on_display::<Gray8>(scene, size),
+        Format::Gray4 => on_display::<Gray4>(scene, size),
+        Format::Gray2 => on_display::<Gray2>(scene, size),
+        Format::Bw => on_display::<BinaryColor>(scene, size),
+    }
+}
+
+fn on_display<C>(scene: &PreparedScene<'_>, size: Size) -> Outcome<Drawing>
+where
+    C: PixelColor + whitted::Pixel + From<BinaryColor> + Into<Rgb888>,
+{
+    let mut display = SimulatorDisplay::<C>::new(size);
+    let mut renderer = Renderer::with_observer(scene, size, Stats::default());
+    let mut watched = Watched {
+        display: &mut display,
+        progress: Progress::new(size.height),
+    };
+    renderer.draw(&mut watched)?;
+    let time = watched.progress.finish();
+    // The default settings show the display's values as they are.
+    let image = display.to_rgb_output_image(&OutputSettings::default());
+    Ok(Drawing {
+        image,
+        stats: *renderer.observer(),
+        time,
+    })
+}

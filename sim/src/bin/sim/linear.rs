@@ -1,0 +1,29 @@
+//! Rendering to linear light, before any display's format.
+
+use std::time::Duration;
+
+use embedded_graphics::geometry::Size;
+use whitted::{PreparedScene, Renderer, Stats};
+use whitted_sim::picture::Picture;
+use whitted_sim::render;
+
+use crate::progress::Progress;
+
+/// A picture in linear light and what it took.
+pub(crate) struct Linear {
+    pub(crate) picture: Picture,
+    pub(crate) stats: Stats,
+    pub(crate) time: Duration,
+}
+
+/// Renders to linear 16-bit samples.
+pub(crate) fn linear(scene: &PreparedScene<'_>, size: Size) -> Linear {
+    let mut progress = Progress::new(size.height);
+    let mut renderer = Renderer::with_observer(scene, size, Stats::default());
+    let picture = render::trace(&mut renderer, |_| progress.line());
+    Linear {
+        picture,
+        stats: *renderer.observer(),
+        time: progress.finish(),
+    }
+}

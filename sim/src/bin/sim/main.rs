@@ -1,0 +1,46 @@
+//! The host simulator: renders scene files, compares pictures, checks and
+//! compiles scenes.
+//!
+//! args ── open (scene) ── draw or linear ──> PNG, terminal, window
+
+mod args;
+mod compare;
+mod draw;
+mod linear;
+mod memory;
+mod open;
+mod outcome;
+mod progress;
+mod render;
+mod report;
+mod scene;
+mod terminal;
+mod view;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use args::{Args, Command};
+use outcome::Outcome;
+
+fn main() -> ExitCode {
+    match run(Args::parse()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn run(args: Args) -> Outcome {
+    match args.command {
+        None => render::default_scene(),
+        Some(Command::Render(options)) => render::render(&options),
+        Some(Command::Compare { a, b }) => compare::compare(&a, &b),
+        Some(Command::Check { scene }) => scene::check(&scene),
+        Some(Command::Compile { scene, output }) => scene::compile(&scene, &output),
+        Some(Command::View(options)) => view::view(&options),
+    }
+}

@@ -1,0 +1,4 @@
+use std::error::Error;
+
+/// What a command comes to. Each error names the file or the option.
+pub(crate) type Outcome<T = ()> = Result<T, Box<dyn Error>>;

@@ -1,0 +1,30 @@
+use std::path::Path;
+use std::time::Duration;
+
+use whitted::Stats;
+
+/// Says where a picture was written.
+pub(crate) fn wrote(path: &Path) {
+    let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+    println!("wrote {}", path.display());
+}
+
+/// Prints what a rendering took.
+pub(crate) fn stats(stats: &Stats, time: Duration) {
+    let Stats {
+        eye,
+        reflected,
+        transmitted,
+        shadow,
+        intersections,
+        ..
+    } = *stats;
+    println!("rays: {eye} eye, {reflected} reflected, {transmitted} transmitted, {shadow} shadow");
+    println!("intersection tests: {intersections}");
+    println!("time: {:.3} s", time.as_secs_f64());
+}
+
+/// Prints the checksum of linear samples.
+pub(crate) fn checksum(checksum: u32) {
+    println!("checksum: {checksum:08x}");
+}

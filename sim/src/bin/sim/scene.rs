@@ -1,0 +1,50 @@
+//! Commands about the scene itself.
+
+use std::fs;
+use std::path::Path;
+
+use whitted_sim::scene_file::Buffer;
+
+use crate::memory::memory;
+use crate::open::Scene;
+use crate::outcome::Outcome;
+
+/// Says that a scene is fine, or what is wrong with it.
+pub(crate) fn check(path: &Path) -> Outcome {
+    let scene = Scene::open(path)?;
+    let mut buffer = Box::new(Buffer::new());
+    let compiled = scene.prepare(&mut buffer)?.encoded_len();
+    match &scene {
+        Scene::Compiled { name, .. } => println!("{name}: ok, a compiled scene"),
+        Scene::File(file) => {
+            let counts = [file.objects.len(), file.lights.len(), file.materials.len()];
+            let names = ["object", "light", "material"];
+            let counted: Vec<_> = counts.into_iter().zip(names).map(count).collect();
+            println!("{}: ok, {}", path.display(), counted.join(", "));
+            let [objects, lights, materials] = counts;
+            let bytes = memory(counts);
+            println!("prepared: {bytes} bytes, SceneBuffer<{objects}, {lights}, {materials}>");
+        }
+    }
+    println!("compiled: {compiled} bytes");
+    Ok(())
+}
+
+fn count((count, name): (usize, &str)) -> String {
+    let plural = if count == 1 { "" } else { "s" };
+    format!("{count} {name}{plural}")
+}
+
+/// Writes a scene's compiled form.
+pub(crate) fn compile(path: &Path, output: &Path) -> Outcome {
+    let scene = Scene::open(path)?;
+    let mut buffer = Box::new(Buffer::new());
+    let prepared = scene.prepare(&mut buffer)?;
+    let mut bytes = vec![0; prepared.encoded_len()];
+    let length = prepared.encode(&mut bytes).unwrap_or_default();
+    bytes.truncate(length);
+    let name = output.display();
+    fs::write(output, &bytes).map_err(|error| format!("{name}: cannot be written: {error}"))?;
+    println!("wrote {name}: {length} bytes");
+    Ok(())
+}

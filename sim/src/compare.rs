@@ -1,0 +1,75 @@
+//! How like two pictures are.
+
+use std::error::Error;
+use std::fmt;
+
+use crate::picture::Picture;
+
+/// One step of 8 bits, in steps of 16: 65535 / 255.
+const STEP: u16 = 257;
+
+/// How like two pictures are, over the samples as they stand.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Comparison {
+    /// In decibels, over all pixels and channels; infinite for equal pictures.
+    pub psnr: f64,
+    /// The share, 0 to 1, of pixels in which no channel differs by more than
+    /// 1/255.
+    pub within: f64,
+}
+
+/// Compares two pictures of one size.
+///
+/// Samples are scaled to 0..255 as real numbers; the PSNR is
+/// 10·log10(255² / mean squared error).
+pub fn compare(a: &Picture, b: &Picture) -> Result<Comparison, SizesDiffer> {
+    let sizes = [(a.width, a.height), (b.width, b.height)];
+    if sizes[0] != sizes[1] || a.pixels.len() != b.pixels.len() {
+        return Err(SizesDiffer(sizes));
+    }
+    let (mut squares, mut within) = (0_u64, 0_usize);
+    for (a, b) in a.pixels.iter().zip(&b.pixels) {
+        let differences = [a.r.abs_diff(b.r), a.g.abs_diff(b.g), a.b.abs_diff(b.b)];
+        within += usize::from(differences.iter().all(|difference| *difference <= STEP));
+        squares += differences
+            .map(|difference| u64::from(difference).pow(2))
+            .iter()
+            .sum::<u64>();
+    }
+    let count = a.pixels.len() as f64;
+    let mean = squares as f64 / (3.0 * count * f64::from(STEP).powi(2));
+    Ok(Comparison {
+        psnr: 10.0 * (255.0 * 255.0 / mean).log10(),
+        within: within as f64 / count,
+    })
+}
+
+impl fmt::Display for Comparison {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { psnr, within } = self;
+        if psnr.is_infinite() {
+            return write!(
+                f,
+                "PSNR inf, 100% of pixels within 1/255: the pictures are equal"
+            );
+        }
+        write!(
+            f,
+            "PSNR {psnr:.2} dB, {:.3}% of pixels within 1/255",
+            100.0 * within
+        )
+    }
+}
+
+/// Width and height of two pictures that cannot be compared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SizesDiffer(pub [(u32, u32); 2]);
+
+impl fmt::Display for SizesDiffer {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [a, b] = self.0;
+        write!(f, "the sizes differ: {}x{} and {}x{}", a.0, a.1, b.0, b.1)
+    }
+}
+
+impl Error for SizesDiffer {}

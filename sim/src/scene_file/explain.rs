@@ -1,0 +1,90 @@
+use whitted::{Item, Problem, Real, SceneError};
+
+use super::error::LoadError;
+use super::example::example;
+use super::file::SceneFile;
+use super::outline::Entry;
+
+impl SceneFile {
+    /// Leads an error in a scene's value back to the line that it stands on.
+    pub fn explain(&self, error: SceneError) -> LoadError {
+        let item = self.path(error.item);
+        let entry = self.entry(&item, error.field);
+        let key = match entry {
+            Some(entry) => entry.path.clone(),
+            None => child(&item, error.field),
+        };
+        // A key that is left to its default has no line, but its table has.
+        let line = entry.or_else(|| self.outline.find(&item));
+        LoadError {
+            file: self.outline.name().to_owned(),
+            line: line.map(|entry| entry.line),
+            reason: reason(error.problem, entry),
+            help: help(error.problem, &key),
+            key: Some(key),
+        }
+    }
+
+    fn path(&self, item: Item) -> String {
+        match item {
+            Item::Scene => String::new(),
+            Item::Camera => "camera".to_owned(),
+            Item::Light(index) => format!("lights[{index}]"),
+            Item::Object(index) => format!("objects[{index}]"),
+            Item::Material(index) => match self.material_names.get(usize::from(index)) {
+                Some(name) => format!("materials.{name}"),
+                None => "materials".to_owned(),
+            },
+        }
+    }
+
+    /// A field's key, or the one that stands for it.
+    fn entry(&self, item: &str, field: &str) -> Option<&Entry> {
+        let stand_in = match field {
+            "diffuse" | "specular" => "color",
+            field => field,
+        };
+        [field, stand_in]
+            .into_iter()
+            .find_map(|key| self.outline.find(&child(item, key)))
+    }
+}
+
+fn child(path: &str, key: &str) -> String {
+    match path {
+        "" => key.to_owned(),
+        path => format!("{path}.{key}"),
+    }
+}
+
+fn reason(problem: Problem, entry: Option<&Entry>) -> String {
+    match (problem, entry) {
+        (Problem::OutOfRange { .. }, Some(entry)) => format!("{problem}, not {}", entry.text),
+        _ => problem.to_string(),
+    }
+}
+
+fn help(problem: Problem, key: &str) -> Option<String> {
+    let name = key.rsplit('.').next().unwrap_or_default();
+    let example = example(name);
+    Some(match problem {
+        Problem::NoView => "move one of the two".to_owned(),
+        Problem::AlongView => "give another `up`, or move `eye` or `look_at`".to_owned(),
+        Problem::EmptyInterval => "write the lower end first: [low, high]".to_owned(),
+        Problem::TooMany { .. } => "leave some out".to_owned(),
+        Problem::OutOfRange { least, most } if !suits(example, least, most) => {
+            format!("write for example `{name} = {least}`")
+        }
+        _ if example.is_empty() => return None,
+        _ => format!("write for example `{example}`"),
+    })
+}
+
+/// False for the example of a number outside of a range, which may be that of
+/// a scene of unusual size.
+fn suits(example: &str, least: Real, most: Real) -> bool {
+    let number = example.rsplit(' ').next().map(str::parse::<Real>);
+    number
+        .and_then(Result::ok)
+        .is_none_or(|number| (least..=most).contains(&number))
+}

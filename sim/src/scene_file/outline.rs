@@ -1,0 +1,72 @@
+use toml::de::{DeTable, DeValue};
+
+use super::source::Source;
+
+/// The lines that all keys stand on, for errors that come after reading.
+#[derive(Clone, Debug)]
+pub(super) struct Outline {
+    name: String,
+    entries: Vec<Entry>,
+}
+
+/// A key, and its value as the file writes it, in one line.
+#[derive(Clone, Debug)]
+pub(super) struct Entry {
+    pub(super) path: String,
+    pub(super) text: String,
+    pub(super) line: usize,
+}
+
+impl Outline {
+    pub(super) fn new(source: &Source<'_>, table: &DeTable<'_>) -> Self {
+        let mut entries = Vec::new();
+        walk_table(source, table, "", &mut entries);
+        entries.sort_by_key(|entry| entry.line);
+        let name = source.name.to_owned();
+        Self { name, entries }
+    }
+
+    /// The key of this path.
+    pub(super) fn find(&self, path: &str) -> Option<&Entry> {
+        self.entries.iter().find(|entry| entry.path == path)
+    }
+
+    /// What errors call the file.
+    pub(super) fn name(&self) -> &str {
+        &self.name
+    }
+}
+
+fn walk_table(source: &Source<'_>, table: &DeTable<'_>, path: &str, entries: &mut Vec<Entry>) {
+    for (key, node) in table.iter() {
+        let path = match path {
+            "" => key.get_ref().to_string(),
+            path => format!("{path}.{}", key.get_ref()),
+        };
+        walk(source, node, path, entries);
+    }
+}
+
+fn walk(
+    source: &Source<'_>,
+    node: &toml::Spanned<DeValue<'_>>,
+    path: String,
+    entries: &mut Vec<Entry>,
+) {
+    match node.get_ref() {
+        DeValue::Table(table) => walk_table(source, table, &path, entries),
+        DeValue::Array(nodes) => {
+            for (index, node) in nodes.iter().enumerate() {
+                walk(source, node, format!("{path}[{index}]"), entries);
+            }
+        }
+        _ => {}
+    }
+    let text = source.text.get(node.span()).unwrap_or_default();
+    let words: Vec<_> = text.split_whitespace().collect();
+    entries.push(Entry {
+        path,
+        text: words.join(" "),
+        line: source.line(node.span().start),
+    });
+}

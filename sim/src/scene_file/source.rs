@@ -1,0 +1,59 @@
+use std::ops::Range;
+
+use toml::Spanned;
+use toml::de::DeTable;
+
+use super::error::LoadError;
+
+/// A file's text; byte ranges of it become lines.
+pub(super) struct Source<'a> {
+    /// What errors call the file.
+    pub(super) name: &'a str,
+    pub(super) text: &'a str,
+}
+
+impl<'a> Source<'a> {
+    /// The line of a place in the text, counted from 1.
+    pub(super) fn line(&self, place: usize) -> usize {
+        let before = self.text.as_bytes().iter().take(place);
+        1 + before.filter(|byte| **byte == b'\n').count()
+    }
+
+    /// An error at a place, about `key` unless that is empty.
+    pub(super) fn error(
+        &self,
+        place: &Range<usize>,
+        key: &str,
+        reason: impl Into<String>,
+    ) -> LoadError {
+        LoadError {
+            file: self.name.to_owned(),
+            line: Some(self.line(place.start)),
+            key: (!key.is_empty()).then(|| key.to_owned()),
+            reason: reason.into(),
+            help: None,
+        }
+    }
+
+    /// The text as TOML.
+    pub(super) fn table(&self) -> Result<Spanned<DeTable<'a>>, LoadError> {
+        DeTable::parse(self.text).map_err(|error| self.syntax_error(&error))
+    }
+
+    fn syntax_error(&self, error: &toml::de::Error) -> LoadError {
+        let place = error.span().unwrap_or_default();
+        if error.message() == "duplicate key" {
+            let key = self.text.get(place.clone()).unwrap_or_default();
+            return self
+                .error(&place, key, "given twice")
+                .help("remove or rename one of the two");
+        }
+        let rest = self.text.get(place.start..).unwrap_or_default();
+        let found = match rest.lines().next() {
+            Some("") | None => "the end of the line".to_owned(),
+            Some(found) => format!("`{found}`"),
+        };
+        self.error(&place, "", format!("{}, found {found}", error.message()))
+            .help("a scene is written in TOML: `key = value` lines under [table] headings")
+    }
+}
