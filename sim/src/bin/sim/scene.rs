@@ -13,20 +13,15 @@ use crate::outcome::Outcome;
 pub(crate) fn check(path: &Path) -> Outcome {
     let scene = Scene::open(path)?;
     let mut buffer = Box::new(Buffer::new());
-    let compiled = scene.prepare(&mut buffer)?.encoded_len();
-    match &scene {
-        Scene::Compiled { name, .. } => println!("{name}: ok, a compiled scene"),
-        Scene::File(file) => {
-            let counts = [file.objects.len(), file.lights.len(), file.materials.len()];
-            let names = ["object", "light", "material"];
-            let counted: Vec<_> = counts.into_iter().zip(names).map(count).collect();
-            println!("{}: ok, {}", path.display(), counted.join(", "));
-            let [objects, lights, materials] = counts;
-            let bytes = memory(counts);
-            println!("prepared: {bytes} bytes, SceneBuffer<{objects}, {lights}, {materials}>");
-        }
-    }
-    println!("compiled: {compiled} bytes");
+    let prepared = scene.prepare(&mut buffer)?;
+    let counts = prepared.counts();
+    let names = ["object", "light", "material"];
+    let counted: Vec<_> = counts.into_iter().zip(names).map(count).collect();
+    println!("{}: ok, {}", path.display(), counted.join(", "));
+    let [objects, lights, materials] = counts;
+    let bytes = memory(counts);
+    println!("prepared: {bytes} bytes, SceneBuffer<{objects}, {lights}, {materials}>");
+    println!("compiled: {} bytes", prepared.encoded_len());
     Ok(())
 }
 
