@@ -2,6 +2,7 @@
 
 use heapless::Vec;
 
+use crate::error::Full;
 use crate::prepared::{Light, Material, Object, Room, Settings};
 use crate::{DecodeError, PreparedScene, Real, Scene, SceneError, compiled, prepare};
 
@@ -79,22 +80,22 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize> Room
         self.materials.clear();
     }
 
-    fn push_object(&mut self, object: Object) -> Result<(), SceneError> {
+    fn push_object(&mut self, object: Object) -> Result<(), Full> {
         self.objects
             .push(object)
-            .map_err(|_| SceneError::too_many("objects", OBJECTS))
+            .map_err(|_| Full::new("objects", OBJECTS))
     }
 
-    fn push_light(&mut self, light: Light) -> Result<(), SceneError> {
+    fn push_light(&mut self, light: Light) -> Result<(), Full> {
         self.lights
             .push(light)
-            .map_err(|_| SceneError::too_many("lights", LIGHTS))
+            .map_err(|_| Full::new("lights", LIGHTS))
     }
 
-    fn push_material(&mut self, material: Material) -> Result<(), SceneError> {
+    fn push_material(&mut self, material: Material) -> Result<(), Full> {
         self.materials
             .push(material)
-            .map_err(|_| SceneError::too_many("materials", MATERIALS))
+            .map_err(|_| Full::new("materials", MATERIALS))
     }
 }
 

@@ -352,19 +352,19 @@ pub(crate) fn decode(bytes: &[u8], room: &mut impl Room) -> Result<Settings, Dec
         let mut light = Light::default();
         light.visit(&mut reader);
         check(light.is_valid(), Item::Light(index))?;
-        room.push_light(light).map_err(DecodeError::TooMany)?;
+        room.push_light(light)?;
     }
     for index in 0..header.materials {
         let mut material = Material::default();
         material.visit(&mut reader);
         check(material.is_valid(), Item::Material(index))?;
-        room.push_material(material).map_err(DecodeError::TooMany)?;
+        room.push_material(material)?;
     }
     for index in 0..header.objects {
         let mut object = Object::default();
         object.visit(&mut reader);
         check(object.is_valid(header.materials), Item::Object(index))?;
-        room.push_object(object).map_err(DecodeError::TooMany)?;
+        room.push_object(object)?;
     }
     if reader.short || !reader.bytes.is_empty() {
         return Err(DecodeError::Length);

@@ -17,14 +17,35 @@ pub struct SceneError {
     pub problem: Problem,
 }
 
-impl SceneError {
-    pub(crate) fn too_many(list: &'static str, capacity: usize) -> Self {
-        let capacity = u16::try_from(capacity).unwrap_or(u16::MAX);
+/// A list of a buffer has no more room.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Full {
+    list: &'static str,
+    capacity: u16,
+}
+
+impl Full {
+    pub(crate) fn new(list: &'static str, capacity: usize) -> Self {
+        Self {
+            list,
+            capacity: u16::try_from(capacity).unwrap_or(u16::MAX),
+        }
+    }
+}
+
+impl From<Full> for SceneError {
+    fn from(Full { list, capacity }: Full) -> Self {
         Self {
             item: Item::Scene,
             field: list,
             problem: Problem::TooMany { capacity },
         }
+    }
+}
+
+impl From<Full> for DecodeError {
+    fn from(Full { list, capacity }: Full) -> Self {
+        Self::TooMany { list, capacity }
     }
 }
 
@@ -124,8 +145,13 @@ pub enum DecodeError {
     Checksum,
     /// Checksum and length agree, but a value is not one a scene can have.
     Invalid(Item),
-    /// A list is longer than the buffer.
-    TooMany(SceneError),
+    /// A list is longer than the buffer, which holds so many.
+    TooMany {
+        /// `"objects"`, `"lights"` or `"materials"`.
+        list: &'static str,
+        /// What the buffer holds.
+        capacity: u16,
+    },
 }
 
 impl fmt::Display for DecodeError {
@@ -136,7 +162,11 @@ impl fmt::Display for DecodeError {
             Self::Length => f.write_str("cut short or too long"),
             Self::Checksum => f.write_str("damaged: wrong checksum"),
             Self::Invalid(item) => write!(f, "{item} has an impossible value"),
-            Self::TooMany(error) => error.fmt(f),
+            // Not by way of `SceneError`, which would bring the printing of
+            // numbers with fractions into firmware.
+            Self::TooMany { list, capacity } => {
+                write!(f, "more {list} than the {capacity} there is room for")
+            }
         }
     }
 }

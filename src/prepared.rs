@@ -5,10 +5,11 @@
 //! with eye and lights, fits ±1; light is scaled by a power of two so that
 //! lights fit 0 to 1.
 
+use crate::error::Full;
 use crate::num::{Factor, Length, Radiance, Unit};
 use crate::shape::Shape;
 use crate::texture::Texture;
-use crate::{Color, SceneError, Vec3};
+use crate::{Color, Vec3};
 
 /// The most secondary generations of rays.
 pub(crate) const MAX_DEPTH: u8 = 32;
@@ -21,9 +22,9 @@ pub(crate) const OFFSET_BITS: i32 = 48;
 /// Preparing and decoding are compiled once, not once per capacity.
 pub(crate) trait Room {
     fn clear(&mut self);
-    fn push_object(&mut self, object: Object) -> Result<(), SceneError>;
-    fn push_light(&mut self, light: Light) -> Result<(), SceneError>;
-    fn push_material(&mut self, material: Material) -> Result<(), SceneError>;
+    fn push_object(&mut self, object: Object) -> Result<(), Full>;
+    fn push_light(&mut self, light: Light) -> Result<(), Full>;
+    fn push_material(&mut self, material: Material) -> Result<(), Full>;
 }
 
 /// A scene ready to be rendered, in the memory of a [`SceneBuffer`].

@@ -93,7 +93,7 @@ fn a_scene_that_does_not_fit_is_refused() {
     let error = buffer.decode(&compiled("whitted")).unwrap_err();
     assert_eq!(
         error.to_string(),
-        "scene: objects are more than the 2 there is room for"
+        "more objects than the 2 there is room for"
     );
 }
 

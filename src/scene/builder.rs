@@ -1,5 +1,6 @@
 use heapless::Vec;
 
+use crate::error::Full;
 use crate::{Camera, Light, Material, MaterialId, Object, Scene, SceneError};
 
 /// A scene that is put together at run time, without allocation.
@@ -47,7 +48,7 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize>
         let id = MaterialId(self.materials.len() as u16);
         self.materials
             .push(material)
-            .map_err(|_| SceneError::too_many("materials", MATERIALS))?;
+            .map_err(|_| Full::new("materials", MATERIALS))?;
         Ok(id)
     }
 
@@ -55,7 +56,7 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize>
     pub fn light(&mut self, light: Light) -> Result<(), SceneError> {
         self.lights
             .push(light)
-            .map_err(|_| SceneError::too_many("lights", LIGHTS))
+            .map_err(|_| Full::new("lights", LIGHTS).into())
     }
 
     /// Adds an object; its number is how many were added before it.
@@ -63,7 +64,7 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize>
         let index = self.objects.len();
         self.objects
             .push(object)
-            .map_err(|_| SceneError::too_many("objects", OBJECTS))?;
+            .map_err(|_| Full::new("objects", OBJECTS))?;
         Ok(index)
     }
 
