@@ -32,6 +32,12 @@ pub(crate) type Factor = fixed::types::U1F15;
 /// saturating. White is 1.
 pub type Radiance = fixed::types::U2F30;
 
+/// A number of 0 to 2^exposure as a factor, rounded.
+pub(crate) fn factor(value: Real, exposure: u8) -> Factor {
+    let shift = 17 + u32::from(exposure);
+    Factor::from_bits(((value.to_bits() + (1 << (shift - 1))) >> shift) as u16)
+}
+
 /// A positive number as `mantissa * 2^exponent`, the mantissa's top bit set.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Scaled {

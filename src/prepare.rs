@@ -10,7 +10,7 @@ mod trigonometry;
 
 pub(crate) use check::{max_depth, min_weight};
 
-use crate::num::{Factor, Length, Radiance, reciprocal};
+use crate::num::{Length, Radiance, factor, reciprocal};
 use crate::prepared::{Camera, Light, Material, Object, Room, Settings};
 use crate::scene::{self, Background};
 use crate::shape::{Bounds, Plane, Shape, Sphere};
@@ -236,10 +236,4 @@ fn exposure(scene: &Scene<'_>) -> u8 {
         fit(sum, MOST);
     }
     exponent
-}
-
-/// A number of 0 to 2^exposure as a factor, rounded.
-fn factor(value: Real, exposure: u8) -> Factor {
-    let shift = 17 + u32::from(exposure);
-    Factor::from_bits(((value.to_bits() + (1 << (shift - 1))) >> shift) as u16)
 }

@@ -12,7 +12,7 @@ use crate::{Color, Pixel, PreparedScene};
 
 /// Draws a scene line by line, each pixel once, without a framebuffer.
 ///
-/// It holds the stack of rays, so it takes some 2 KB; keep it in a `static` or
+/// It holds the stack of rays, so it takes 1.5 KB; keep it in a `static` or
 /// high up on the stack. The picture's aspect follows its size.
 ///
 /// ```
@@ -130,5 +130,17 @@ impl<O: Observer> Iterator for Pixels<'_, O> {
 
     fn size_hint(&self) -> (usize, Option<usize>) {
         self.rays.size_hint()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What the documentation of [`Renderer`] says; less where pointers are short.
+    #[test]
+    fn a_renderer_takes_as_many_bytes_as_documented() {
+        let size = size_of::<Renderer<'_>>();
+        assert!(size <= 1536, "{size}");
     }
 }

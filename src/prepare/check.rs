@@ -1,11 +1,10 @@
 //! What may be in a scene.
 
-use crate::num::{Factor, Real};
+use crate::num::{Factor, Real, factor};
 use crate::prepared::MAX_DEPTH;
 use crate::scene::{Background, Camera, Light, Material, Object, Shape, Texture};
 use crate::{Color, Item, MaterialId, Problem, Scene, SceneError, Vec3};
 
-use super::factor;
 use super::frame::Frame;
 
 /// The farthest coordinate, ±2^24: sums and differences keep within [`Real`].
