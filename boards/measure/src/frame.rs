@@ -1,0 +1,65 @@
+use core::fmt;
+
+use embedded_graphics_core::prelude::{DrawTarget, Size};
+use whitted::{Color, Crc32, Pixel, Renderer};
+
+use crate::{Stopwatch, memory};
+
+/// What there is to tell about a frame and the firmware that drew it.
+pub struct Report {
+    size: Size,
+    checksum: u32,
+    instructions: u64,
+    stack: usize,
+}
+
+/// Draws a frame line by line, then traces it again for the checksum.
+///
+/// Instructions and stack are those of the frame that is drawn: tracing,
+/// conversion to the display's colors, and the display's driver.
+pub fn draw<D>(
+    renderer: &mut Renderer<'_>,
+    target: &mut D,
+    stopwatch: &mut Stopwatch,
+) -> Result<Report, D::Error>
+where
+    D: DrawTarget,
+    D::Color: Pixel,
+{
+    let size = renderer.size();
+    stopwatch.restart();
+    for y in 0..size.height {
+        renderer.draw_line(y, target)?;
+        stopwatch.lap();
+    }
+    let stack = memory::peak_stack();
+    Ok(Report {
+        size,
+        checksum: checksum(renderer),
+        instructions: stopwatch.instructions(),
+        stack,
+    })
+}
+
+/// CRC-32 of the frame's 16-bit linear samples, row by row.
+fn checksum(renderer: &mut Renderer<'_>) -> u32 {
+    let mut crc = Crc32::new();
+    for y in 0..renderer.size().height {
+        for pixel in renderer.line(y) {
+            crc.update_pixel(Color::<u16>::from_linear(pixel));
+        }
+    }
+    crc.finish()
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Size { width, height } = self.size;
+        writeln!(f, "size: {width}x{height}")?;
+        writeln!(f, "checksum: {:08x}", self.checksum)?;
+        writeln!(f, "instructions: {}", self.instructions)?;
+        writeln!(f, "stack: {}", self.stack)?;
+        writeln!(f, "flash: {}", memory::flash())?;
+        writeln!(f, "statics: {}", memory::statics())
+    }
+}

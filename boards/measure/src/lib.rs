@@ -1,0 +1,17 @@
+//! What the firmware tells about itself, the same for every board.
+//!
+//! A frame is drawn once and measured on its way to the display, then traced
+//! again for its checksum, so that the checksum costs the measured frame
+//! nothing. The report is lines of `key: value`, ended by the line [`END`].
+
+#![no_std]
+
+mod frame;
+mod memory;
+mod stopwatch;
+
+pub use frame::{Report, draw};
+pub use stopwatch::Stopwatch;
+
+/// The last line that firmware prints, whether it has drawn or failed.
+pub const END: &str = "end";
