@@ -1,0 +1,75 @@
+//! Building firmware.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+
+use anyhow::{Context, Result};
+
+use crate::command::{cargo, run};
+use crate::{scratch_dir, target_dir};
+
+/// A package of `boards`, built for a target.
+#[derive(Clone, Copy, Debug)]
+pub struct Firmware {
+    /// The package, and the program in it.
+    pub package: &'static str,
+    /// The target.
+    pub target: &'static str,
+}
+
+/// Instructions of the Cortex-M0 and M0+.
+pub const V6M: &str = "thumbv6m-none-eabi";
+/// Instructions of the Cortex-M3.
+pub const V7M: &str = "thumbv7m-none-eabi";
+/// Instructions of the Cortex-M4F and M7, with floats in hardware.
+pub const V7EM: &str = "thumbv7em-none-eabihf";
+
+/// What the root manifest calls the profile for microcontrollers.
+const PROFILE: &str = "firmware";
+
+/// The board with the OLED.
+pub const LM3S6965EVB: Firmware = Firmware {
+    package: "lm3s6965evb",
+    target: V7M,
+};
+
+/// The firmware that draws any scene, for each kind of core.
+pub const HEADLESS: [Firmware; 3] = [headless(V6M), headless(V7M), headless(V7EM)];
+
+pub(crate) const fn headless(target: &'static str) -> Firmware {
+    Firmware {
+        package: "headless",
+        target,
+    }
+}
+
+impl Firmware {
+    /// Builds it, for firmware with a scene in flash with this one in place of
+    /// the default scene, and returns the program, as a file that a later build
+    /// does not change.
+    pub fn build(self, scene: Option<&Path>) -> Result<PathBuf> {
+        // Builds with other scenes give a file of the same name.
+        static ONE_AT_A_TIME: Mutex<()> = Mutex::new(());
+        let _guard = ONE_AT_A_TIME.lock();
+
+        let mut build = cargo();
+        build.args(["build", "--quiet", "--profile", PROFILE]);
+        build.args(["--package", self.package, "--target", self.target]);
+        if let Some(scene) = scene {
+            build.env("SCENE", scene);
+        }
+        run(&mut build)?;
+
+        let program = target_dir()
+            .join(self.target)
+            .join(PROFILE)
+            .join(self.package);
+        let scene = scene.and_then(Path::file_stem).unwrap_or_default();
+        let name = format!("{}-{}-{}.elf", self.package, self.target, scene.display());
+        let copy = scratch_dir()?.join(name);
+        fs::copy(&program, &copy)
+            .with_context(|| format!("no firmware at {}", program.display()))?;
+        Ok(copy)
+    }
+}

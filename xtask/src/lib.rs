@@ -1,0 +1,36 @@
+//! The project's tasks; `cargo xtask` lists them.
+//!
+//! A library, so that the tests in QEMU can build and run firmware with it.
+
+pub mod firmware;
+pub mod qemu;
+pub mod report;
+pub mod size;
+pub mod test;
+pub mod tidy;
+
+mod command;
+mod qmp;
+mod tools;
+
+use std::env;
+use std::path::{Path, PathBuf};
+
+/// The root of the project.
+pub fn root() -> &'static Path {
+    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+    here.parent().unwrap_or(here)
+}
+
+/// Where Cargo builds.
+pub fn target_dir() -> PathBuf {
+    let named = env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into());
+    root().join(named)
+}
+
+/// Where tasks keep their own files, made where missing.
+pub fn scratch_dir() -> anyhow::Result<PathBuf> {
+    let dir = target_dir().join("qemu");
+    std::fs::create_dir_all(&dir)?;
+    Ok(dir)
+}

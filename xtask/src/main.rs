@@ -1,0 +1,116 @@
+//! `cargo xtask`: runs one of the project's tasks.
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use anyhow::{Result, bail};
+use lexopt::prelude::*;
+use xtask::qemu::{Core, Machine};
+use xtask::{firmware, qemu, size, test, tidy};
+
+const HELP: &str = "\
+cargo xtask TASK
+
+  test [STEP...]        All checks and tests, or the steps whose names contain one
+                        of these words. Installs the tools that are missing.
+  qemu [SCENE] [--shot FILE.png] [--window]
+                        Draws a scene on the OLED of the LM3S6965 board, in QEMU;
+                        takes a screenshot, or shows the display in a window.
+  headless SCENE [--size WxH] [--core m0|m3|m4f]
+                        Draws a scene on a core, in QEMU, and prints what it took.
+  size                  Flash and RAM of each firmware.
+  tidy                  Checks the rules of the source code.
+";
+
+fn main() -> ExitCode {
+    match task() {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error:#}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn task() -> Result<()> {
+    let mut arguments = lexopt::Parser::from_env();
+    let task = match arguments.next()? {
+        Some(Value(task)) => task.string()?,
+        _ => String::new(),
+    };
+    let options = Options::parse(&mut arguments)?;
+    match task.as_str() {
+        "test" => test::run(&options.values),
+        "qemu" => on_the_oled(&options),
+        "headless" => headless(&options),
+        "size" => size::print(),
+        "tidy" => tidy::run(),
+        _ => {
+            print!("{HELP}");
+            Ok(())
+        }
+    }
+}
+
+fn on_the_oled(options: &Options) -> Result<()> {
+    let elf = firmware::LM3S6965EVB.build(options.scene()?.as_deref())?;
+    if options.window {
+        return qemu::show(&elf);
+    }
+    let report = qemu::draw_on_oled(&elf, options.shot.as_deref())?;
+    print!("{report}");
+    report.result().map(drop)
+}
+
+fn headless(options: &Options) -> Result<()> {
+    let Some(scene) = options.scene()? else {
+        bail!("headless takes a scene");
+    };
+    let machine = Machine::of(options.core);
+    let report = machine.draw(&qemu::compile(&scene)?, &options.size)?;
+    print!("{report}");
+    report.result().map(drop)
+}
+
+struct Options {
+    values: Vec<String>,
+    shot: Option<PathBuf>,
+    window: bool,
+    size: String,
+    core: Core,
+}
+
+impl Options {
+    fn parse(arguments: &mut lexopt::Parser) -> Result<Self> {
+        let mut options = Self {
+            values: Vec::new(),
+            shot: None,
+            window: false,
+            size: "320x240".into(),
+            core: Core::M3,
+        };
+        while let Some(argument) = arguments.next()? {
+            match argument {
+                Long("shot") => options.shot = Some(std::path::absolute(arguments.value()?)?),
+                Long("window") => options.window = true,
+                Long("size") => options.size = arguments.value()?.string()?,
+                Long("core") => options.core = arguments.value()?.parse()?,
+                Value(value) => options.values.push(value.string()?),
+                other => return Err(other.unexpected().into()),
+            }
+        }
+        Ok(options)
+    }
+
+    /// The scene, which is named relative to where the person is.
+    fn scene(&self) -> Result<Option<PathBuf>> {
+        match self.values.as_slice() {
+            [] => Ok(None),
+            [scene] => Ok(Some(
+                std::fs::canonicalize(scene)
+                    .map_err(|error| anyhow::anyhow!("{scene}: {error}"))?,
+            )),
+            [_, other, ..] => bail!("one scene at a time, not {other} too"),
+        }
+    }
+}

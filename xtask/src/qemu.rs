@@ -1,0 +1,207 @@
+//! Running firmware in QEMU.
+
+use std::io::{BufRead, BufReader, Read};
+use std::path::{Path, PathBuf};
+use std::process::{self, Child, Command, Stdio};
+use std::str::FromStr;
+use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::time::{Duration, Instant};
+use std::{env, fs, thread};
+
+use anyhow::{Context, Result, anyhow, bail};
+
+use crate::command::{command, run};
+use crate::firmware::{self, Firmware, V6M, V7EM, V7M};
+use crate::qmp::Monitor;
+use crate::report::Report;
+use crate::scratch_dir;
+
+/// The program.
+pub(crate) const QEMU: &str = "qemu-system-arm";
+
+/// Firmware that takes longer hangs.
+const PATIENCE: Duration = Duration::from_secs(300);
+
+/// The line after which the picture on the OLED is complete.
+const END: &str = "end";
+
+/// A core that the headless firmware runs on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Core {
+    /// Cortex-M0: its code, on an M3, as QEMU's only M0 has no memory to speak of.
+    M0,
+    /// Cortex-M3.
+    M3,
+    /// Cortex-M4 with floats in hardware.
+    M4f,
+}
+
+impl Core {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::M0, Self::M3, Self::M4f];
+}
+
+impl FromStr for Core {
+    type Err = anyhow::Error;
+
+    fn from_str(name: &str) -> Result<Self> {
+        match name {
+            "m0" => Ok(Self::M0),
+            "m3" => Ok(Self::M3),
+            "m4f" => Ok(Self::M4f),
+            _ => Err(anyhow!("there are the cores m0, m3 and m4f")),
+        }
+    }
+}
+
+/// A board of QEMU's and the headless firmware for it.
+#[derive(Clone, Copy, Debug)]
+pub struct Machine {
+    name: &'static str,
+    firmware: Firmware,
+}
+
+impl Machine {
+    /// The one with this core.
+    pub fn of(core: Core) -> Self {
+        let (name, target) = match core {
+            Core::M0 => ("mps2-an385", V6M),
+            Core::M3 => ("mps2-an385", V7M),
+            Core::M4f => ("mps2-an386", V7EM),
+        };
+        Self {
+            name,
+            firmware: firmware::headless(target),
+        }
+    }
+
+    /// Builds the firmware and draws a compiled scene with it.
+    pub fn draw(self, scene: &Path, size: &str) -> Result<Report> {
+        let elf = self.firmware.build(None)?;
+        // A comma ends a value, unless doubled.
+        let scene = scene.display().to_string().replace(',', ",,");
+        let mut qemu = firmware_in(self.name, &elf);
+        qemu.args(["-display", "none", "-chardev", "stdio,id=host"]);
+        qemu.arg("-semihosting-config");
+        qemu.arg(format!(
+            "enable=on,target=native,chardev=host,arg={size},arg={scene}"
+        ));
+        Running::start(qemu)?.finish()
+    }
+}
+
+/// Compiles a scene file, to a file of its name.
+pub fn compile(scene: &Path) -> Result<PathBuf> {
+    let compiled = whitted_sim::scene_file::compile(scene)?;
+    let name = scene.file_name().unwrap_or_default();
+    let file = scratch_dir()?.join(name).with_extension("bin");
+    fs::write(&file, compiled)?;
+    Ok(file)
+}
+
+/// Runs the OLED board's firmware until its picture is complete. The file for
+/// the screenshot is PNG by its name, else PPM.
+pub fn draw_on_oled(elf: &Path, screenshot: Option<&Path>) -> Result<Report> {
+    static COUNT: AtomicU32 = AtomicU32::new(0);
+    // Not in the target directory, as a socket's path must be short.
+    let count = COUNT.fetch_add(1, Ordering::Relaxed);
+    let socket = env::temp_dir().join(format!("whitted-{}-{count}.qmp", process::id()));
+
+    let mut qemu = firmware_in("lm3s6965evb", elf);
+    qemu.args(["-display", "none", "-serial", "stdio", "-qmp"]);
+    qemu.arg(format!("unix:{},server=on,wait=off", socket.display()));
+    let mut running = Running::start(qemu)?;
+    let report = running.report()?;
+
+    let mut monitor = Monitor::connect(&socket)?;
+    if let Some(file) = screenshot {
+        monitor.screendump(file)?;
+    }
+    monitor.quit()?;
+    _ = running.qemu.wait();
+    _ = fs::remove_file(&socket);
+    Ok(report)
+}
+
+/// Runs the OLED board's firmware with the display in a window, until a person
+/// closes it.
+pub fn show(elf: &Path) -> Result<()> {
+    run(firmware_in("lm3s6965evb", elf).args(["-serial", "stdio"]))
+}
+
+/// QEMU with a clock that counts instructions: each takes a nanosecond.
+fn firmware_in(machine: &str, elf: &Path) -> Command {
+    let mut qemu = command(QEMU);
+    qemu.args(["-machine", machine, "-icount", "shift=0", "-nodefaults"]);
+    qemu.arg("-kernel").arg(elf);
+    qemu
+}
+
+/// A QEMU that ends with this value at the latest.
+struct Running {
+    qemu: Child,
+}
+
+impl Drop for Running {
+    fn drop(&mut self) {
+        _ = self.qemu.kill();
+        _ = self.qemu.wait();
+    }
+}
+
+impl Running {
+    fn start(mut command: Command) -> Result<Self> {
+        command.stdin(Stdio::null());
+        command.stdout(Stdio::piped()).stderr(Stdio::piped());
+        let qemu = command
+            .spawn()
+            .with_context(|| format!("{QEMU} does not start"))?;
+        Ok(Self { qemu })
+    }
+
+    /// What the firmware prints until it says that this is the end, or QEMU ends.
+    fn report(&mut self) -> Result<Report> {
+        let output = self.qemu.stdout.take().context("a report is read once")?;
+        let (sender, receiver) = channel();
+        // In a thread, as reading has no timeout. It ends with QEMU.
+        thread::spawn(move || {
+            for line in BufReader::new(output).lines() {
+                if line.is_err() || sender.send(line).is_err() {
+                    break;
+                }
+            }
+        });
+        let deadline = Instant::now() + PATIENCE;
+        let mut lines = Vec::new();
+        loop {
+            match receiver.recv_timeout(deadline.saturating_duration_since(Instant::now())) {
+                Ok(line) => match line?.trim_end() {
+                    END => return Ok(Report::new(lines)),
+                    line => lines.push(line.to_owned()),
+                },
+                Err(RecvTimeoutError::Disconnected) => return Ok(Report::new(lines)),
+                Err(RecvTimeoutError::Timeout) => {
+                    bail!(
+                        "the firmware did not end, it printed:\n{}",
+                        Report::new(lines)
+                    )
+                }
+            }
+        }
+    }
+
+    /// The same for firmware that ends QEMU itself.
+    fn finish(mut self) -> Result<Report> {
+        let report = self.report()?;
+        let mut complaints = String::new();
+        if let Some(mut errors) = self.qemu.stderr.take() {
+            errors.read_to_string(&mut complaints)?;
+        }
+        let status = self.qemu.wait()?;
+        if !status.success() {
+            bail!("QEMU failed: {status}\n{complaints}");
+        }
+        Ok(report)
+    }
+}

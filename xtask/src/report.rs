@@ -1,0 +1,45 @@
+//! What firmware prints.
+
+use std::fmt;
+
+use anyhow::{Context, Result, bail};
+
+/// The lines `key: value` that firmware has printed.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Report(Vec<String>);
+
+impl Report {
+    /// The report in these lines.
+    pub fn new(lines: Vec<String>) -> Self {
+        Self(lines)
+    }
+
+    /// The report, unless it tells of an error or of nothing.
+    pub fn result(&self) -> Result<&Self> {
+        match self.get("error") {
+            Ok(error) => bail!("the firmware reports: {error}"),
+            Err(_) if self.0.is_empty() => bail!("the firmware reports nothing"),
+            Err(_) => Ok(self),
+        }
+    }
+
+    /// What is reported under this key.
+    pub fn get(&self, key: &str) -> Result<&str> {
+        self.0
+            .iter()
+            .find_map(|line| line.strip_prefix(key)?.strip_prefix(": "))
+            .with_context(|| format!("no {key:?} in the report:\n{self}"))
+    }
+
+    /// The number that is reported under this key.
+    pub fn number(&self, key: &str) -> Result<u64> {
+        let value = self.get(key)?;
+        value.parse().with_context(|| format!("{key}: {value}"))
+    }
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.iter().try_for_each(|line| writeln!(f, "{line}"))
+    }
+}

@@ -1,0 +1,163 @@
+//! Firmware in QEMU against the simulator on this machine.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result, ensure};
+use embedded_graphics::pixelcolor::Gray4;
+use embedded_graphics::prelude::*;
+use whitted::Renderer;
+use whitted_sim::{render, scene_file};
+use xtask::firmware::LM3S6965EVB;
+use xtask::qemu::{self, Core, Machine};
+use xtask::{root, scratch_dir};
+
+const OLED: Size = Size::new(128, 64);
+/// QEMU shows each pixel of the OLED as a square of so many.
+const ZOOM: usize = 4;
+
+fn scenes() -> Result<Vec<PathBuf>> {
+    let mut scenes = fs::read_dir(root().join("scenes"))?
+        .map(|entry| Ok(entry?.path()))
+        .collect::<Result<Vec<_>>>()?;
+    scenes.retain(|path| {
+        path.extension()
+            .is_some_and(|extension| extension == "toml")
+    });
+    scenes.sort();
+    Ok(scenes)
+}
+
+/// The checksum of a scene on this machine.
+fn checksum(scene: &Path, size: Size) -> Result<String> {
+    let file = scene_file::load(scene)?;
+    let mut buffer = Box::new(scene_file::Buffer::new());
+    let picture = render::linear(&file.prepare(&mut buffer)?, size);
+    Ok(format!("{:08x}", render::checksum(&picture)))
+}
+
+/// The simulator's picture for the OLED, as gray levels.
+fn simulated(scene: &Path) -> Result<Vec<u8>> {
+    let file = scene_file::load(scene)?;
+    let mut buffer = Box::new(scene_file::Buffer::new());
+    let scene = file.prepare(&mut buffer)?;
+    let mut renderer = Renderer::new(&scene, OLED);
+    let mut line = [Gray4::BLACK; OLED.width as usize];
+    let mut levels = Vec::new();
+    for y in 0..OLED.height {
+        renderer.render_line(y, &mut line);
+        levels.extend(line.map(|gray| gray.luma()));
+    }
+    Ok(levels)
+}
+
+/// The OLED's picture in a screenshot, as gray levels.
+fn shown(ppm: &Path) -> Result<Vec<u8>> {
+    let bytes = fs::read(ppm)?;
+    let (width, height) = (OLED.width as usize, OLED.height as usize);
+    let header = format!("P6\n{} {}\n255\n", ZOOM * width, ZOOM * height);
+    let pixels = bytes
+        .strip_prefix(header.as_bytes())
+        .context("not a screenshot of the OLED")?;
+    let rows = pixels.chunks_exact(3 * ZOOM * width);
+    ensure!(rows.len() == ZOOM * height, "cut short");
+    let mut levels = Vec::new();
+    for (y, row) in rows.enumerate() {
+        for (x, rgb) in row.chunks_exact(3).enumerate() {
+            ensure!(
+                rgb == [rgb[0]; 3] && rgb[0] % 17 == 0,
+                "no gray of the OLED: {rgb:?}"
+            );
+            if x % ZOOM == 0 && y % ZOOM == 0 {
+                levels.push(rgb[0] / 17);
+            } else {
+                let whole = levels.get(y / ZOOM * width + x / ZOOM);
+                ensure!(
+                    y % ZOOM != 0 || whole == Some(&(rgb[0] / 17)),
+                    "pixels are squares"
+                );
+            }
+        }
+    }
+    Ok(levels)
+}
+
+fn screenshot(name: &str) -> Result<PathBuf> {
+    Ok(scratch_dir()?.join(name).with_extension("ppm"))
+}
+
+/// The picture of a scene on the OLED, and the firmware's report, are the
+/// simulator's.
+fn is_drawn_on_the_oled(scene: &Path) -> Result<()> {
+    let elf = LM3S6965EVB.build(Some(scene))?;
+    let name = scene.file_stem().unwrap_or_default().display().to_string();
+    let shot = screenshot(&name)?;
+    let report = qemu::draw_on_oled(&elf, Some(&shot))?;
+    report.result()?;
+    print!("{name}\n{report}");
+    assert!(
+        shown(&shot)? == simulated(scene)?,
+        "{name}: the OLED shows another picture"
+    );
+    assert_eq!(report.get("checksum")?, checksum(scene, OLED)?, "{name}");
+    Ok(())
+}
+
+#[test]
+fn the_oled_shows_what_the_simulator_draws() -> Result<()> {
+    for scene in ["whitted", "four_spheres", "still_life"] {
+        is_drawn_on_the_oled(&root().join("scenes").join(scene).with_extension("toml"))?;
+    }
+    Ok(())
+}
+
+/// What the project promises of the default scene at 128x64 on the M3.
+#[test]
+fn the_default_scene_stays_small() -> Result<()> {
+    let report = qemu::draw_on_oled(&LM3S6965EVB.build(None)?, None)?;
+    let ram = report.number("statics")?;
+    assert!(ram <= 8 * 1024, "{ram} bytes of RAM beside the stack");
+    assert!(report.number("stack")? <= 4 * 1024, "{report}");
+    assert!(report.number("flash")? <= 64 * 1024, "{report}");
+    Ok(())
+}
+
+#[test]
+fn a_broken_scene_is_told_on_display_and_uart() -> Result<()> {
+    let scene = root().join("scenes/whitted.toml");
+    let mut bytes = scene_file::compile(&scene)?;
+    bytes[40] ^= 1;
+    let broken = scratch_dir()?.join("broken.bin");
+    fs::write(&broken, bytes)?;
+
+    let shot = screenshot("broken")?;
+    let report = qemu::draw_on_oled(&LM3S6965EVB.build(Some(&broken))?, Some(&shot))?;
+    assert_eq!(report.get("error")?, "damaged: wrong checksum");
+    let lit = shown(&shot)?.iter().filter(|level| **level == 15).count();
+    assert!((200..2000).contains(&lit), "{lit} pixels of text");
+    Ok(())
+}
+
+#[test]
+fn every_core_draws_the_same_pictures() -> Result<()> {
+    let whitted = root().join("scenes/whitted.toml");
+    let pictures = scenes()?
+        .into_iter()
+        .map(|scene| (scene, Size::new(80, 60)));
+    for (scene, size) in pictures.chain([(whitted, Size::new(320, 240))]) {
+        let expected = checksum(&scene, size)?;
+        let compiled = qemu::compile(&scene)?;
+        for core in Core::ALL {
+            let report =
+                Machine::of(core).draw(&compiled, &format!("{}x{}", size.width, size.height))?;
+            report.result()?;
+            assert_eq!(
+                report.get("checksum")?,
+                expected,
+                "{} on {core:?}",
+                scene.display()
+            );
+        }
+    }
+    Ok(())
+}
