@@ -27,7 +27,7 @@ pub(crate) trait Room {
     fn push_material(&mut self, material: Material) -> Result<(), Full>;
 }
 
-/// A scene ready to be rendered, in the memory of a [`SceneBuffer`].
+/// A scene ready to be rendered, in the memory of a [`SceneBuffer`](crate::SceneBuffer).
 #[derive(Clone, Copy, Debug)]
 pub struct PreparedScene<'b> {
     pub(crate) settings: Settings,
