@@ -26,7 +26,7 @@ impl<'d, D: DrawTarget<Color = Gray4> + OriginDimensions> Page<'d, D> {
 
     fn word(&mut self, word: &str) -> Result<(), D::Error> {
         let style = MonoTextStyle::new(&FONT_5X8, Gray4::WHITE);
-        let width = word.trim_end().len() as i32 * CELL.width as i32;
+        let width = word.trim_end_matches(' ').len() as i32 * CELL.width as i32;
         if self.cursor.x + width > self.display.size().width as i32 {
             self.cursor = Point::new(0, self.cursor.y + CELL.height as i32);
         }
