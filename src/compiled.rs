@@ -427,7 +427,7 @@ impl Material {
     fn is_valid(&self) -> bool {
         are_factors([self.kd, self.ks, self.kr, self.kt])
             && (1 << 16..=4096 << 16).contains(&self.shininess)
-            && (Length::ONE..=Length::lit("4")).contains(&self.ior)
+            && (Length::ONE..=const { Length::lit("4") }).contains(&self.ior)
             && (Length::ONE / 4..=Length::ONE).contains(&self.inverse_ior)
     }
 }
