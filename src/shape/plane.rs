@@ -40,9 +40,12 @@ impl Bounds {
     }
 }
 
-/// A hit so many powers of two away is passed over: it is beyond 2^29 units,
-/// closer to the horizon than the pixels of any display.
-const HORIZON: i32 = 26;
+/// A hit is passed over from `2^(32 + HORIZON)` steps on: 2^26 times the
+/// scene's size, closer to the horizon than the pixels of any display.
+///
+/// A path of 33 such hits, the longest that a tree of rays has, stays below
+/// 2^60 steps, so the shift of a far point stays below 32.
+const HORIZON: i32 = 22;
 
 impl Plane {
     /// How far behind the plane a point is, in the point's steps; negative in
