@@ -79,6 +79,17 @@ pub(crate) struct Line {
     remaining: u32,
 }
 
+impl Line {
+    /// Passes over the first `count` rays.
+    pub(crate) fn skip_to(&mut self, count: u32) {
+        let steps = i64::from(count.min(self.remaining));
+        self.direction = self
+            .direction
+            .zip(self.step, |d, s| d.wrapping_add(s.wrapping_mul(steps)));
+        self.remaining = self.remaining.saturating_sub(count);
+    }
+}
+
 impl Iterator for Line {
     type Item = Ray;
 

@@ -61,7 +61,7 @@ pub use checksum::Crc32;
 pub use color::Color;
 pub use error::{DecodeError, Item, Problem, SceneError};
 pub use num::{Radiance, Real};
-pub use observer::{Observer, RayKind, Stats};
+pub use observer::{Node, Observer, RayKind, Stats};
 pub use pixel::Pixel;
 pub use prepared::PreparedScene;
 pub use renderer::Renderer;

@@ -1,5 +1,8 @@
 //! Watching rays without paying for it when nobody does.
 
+use crate::num::{Factor, Radiance};
+use crate::{Color, Real};
+
 /// What kind of ray is traced.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RayKind {
@@ -29,6 +32,44 @@ pub trait Observer {
     fn intersections(&mut self, count: u32) {
         let _ = count;
     }
+
+    /// A shadow ray from a light, by its number, reached the surface: what the
+    /// surfaces on its way left of the light, or `None` if one is opaque. The
+    /// node of that surface is told of after all its shadow rays.
+    #[inline(always)]
+    fn shadow(&mut self, light: u16, left: Option<Color<Real>>) {
+        let _ = (light, left);
+    }
+
+    /// A ray other than a shadow ray has met a surface, or nothing. In the
+    /// order of the tree: a node, all that follows from its reflected ray, all
+    /// that follows from its transmitted one.
+    #[inline(always)]
+    fn node(&mut self, node: &Node) {
+        let _ = node;
+    }
+}
+
+/// A node of the tree of rays: where a ray ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Node {
+    /// What kind of ray led here.
+    pub kind: RayKind,
+    /// How many surfaces the light met between here and the eye: 0 for the eye ray.
+    pub generation: u8,
+    /// The share of what is here that reaches the eye.
+    pub weight: Color<Real>,
+    /// The number of the object; `None` for the background.
+    pub object: Option<u16>,
+    /// Whether the ray came from behind the surface.
+    pub inside: bool,
+    /// The color of the place itself, without what is reflected and transmitted.
+    pub local: Color<Radiance>,
+}
+
+/// A factor as a number that users know.
+pub(crate) fn share(color: Color<Factor>) -> Color<Real> {
+    color.map(Real::from_num)
 }
 
 impl Observer for () {}

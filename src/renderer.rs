@@ -77,6 +77,16 @@ impl<'s, O: Observer> Renderer<'s, O> {
         }
     }
 
+    /// The linear color of a single pixel, the same as in its line; black
+    /// outside of the picture.
+    pub fn pixel(&mut self, x: u32, y: u32) -> Color<Radiance> {
+        let mut rays = self.view.line(y);
+        rays.skip_to(x);
+        rays.next().map_or(Color::<Radiance>::BLACK, |ray| {
+            trace(self.scene, ray, &mut self.stack, &mut self.observer)
+        })
+    }
+
     /// Traces line `y` into a slice, for example to send it by DMA while the
     /// next is traced. What is longer than the line is left as it is.
     pub fn render_line<P: Pixel>(&mut self, y: u32, line: &mut [P]) {

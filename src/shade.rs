@@ -4,7 +4,7 @@
 
 use crate::intersect::{self, Hit, ShadowRay};
 use crate::num::{Factor, Length, Radiance, Unit, power, reciprocal_root, square_root};
-use crate::observer::Observer;
+use crate::observer::{Observer, share};
 use crate::prepared::{Light, Material, PreparedScene};
 use crate::ray::{Point, Ray, Start};
 use crate::shape::Shape;
@@ -48,6 +48,16 @@ impl<'s> Surface<'s> {
         })
     }
 
+    /// The object's number.
+    pub(crate) fn object(&self) -> u16 {
+        self.object
+    }
+
+    /// Whether the ray came from behind the surface.
+    pub(crate) fn inside(&self) -> bool {
+        self.inside
+    }
+
     /// `le + ka ia + sum over lights of T (kd (L·n) id + ks S is)`.
     #[inline]
     pub(crate) fn local(
@@ -60,7 +70,7 @@ impl<'s> Surface<'s> {
         if self.material.kd.is_black() && self.material.ks.is_black() {
             return sum;
         }
-        for light in scene.lights {
+        for (index, light) in (0..).zip(scene.lights) {
             // To the light, in steps of the point's shift.
             let way = self.point.to(light.position);
             if way.along(self.normal) <= 0 {
@@ -83,7 +93,9 @@ impl<'s> Surface<'s> {
                     inward: self.inside,
                 },
             };
-            if let Some(left) = intersect::transmittance(scene, &shadow, observer) {
+            let left = intersect::transmittance(scene, &shadow, observer);
+            observer.shadow(index, left.map(share));
+            if let Some(left) = left {
                 sum = sum.plus(self.lit(light, left, ray, to_light, cosine));
             }
         }

@@ -5,7 +5,7 @@ use heapless::Vec;
 use crate::Color;
 use crate::intersect;
 use crate::num::{Factor, Radiance};
-use crate::observer::{Observer, RayKind};
+use crate::observer::{Node, Observer, RayKind, share};
 use crate::prepared::{MAX_DEPTH, PreparedScene, Settings};
 use crate::ray::Ray;
 use crate::shade::Surface;
@@ -64,11 +64,21 @@ pub(crate) fn trace(
         budget -= 1;
         observer.ray(kind);
         let hit = intersect::nearest(scene, &ray, observer);
-        let Some(surface) = hit.and_then(|hit| Surface::new(scene, &ray, hit)) else {
-            radiance = radiance.plus(weight.weigh(background(settings, &ray)));
-            continue;
+        let surface = hit.and_then(|hit| Surface::new(scene, &ray, hit));
+        let local = match &surface {
+            Some(surface) => surface.local(scene, &ray, observer),
+            None => background(settings, &ray),
         };
-        radiance = radiance.plus(weight.weigh(surface.local(scene, &ray, observer)));
+        observer.node(&Node {
+            kind,
+            generation: depth,
+            weight: share(weight),
+            object: surface.map(|surface| surface.object()),
+            inside: surface.is_some_and(|surface| surface.inside()),
+            local: local.brightened(settings.exposure.into()),
+        });
+        radiance = radiance.plus(weight.weigh(local));
+        let Some(surface) = surface else { continue };
         if depth == settings.max_depth {
             continue;
         }
