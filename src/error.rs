@@ -85,6 +85,8 @@ pub enum Problem {
     EmptyInterval,
     /// The two axes of a checkerboard are the same.
     SameAxis,
+    /// The rows of a frame are not unit vectors at right angles, right-handed.
+    NotOrthonormal,
     /// No material has this number.
     NoSuchMaterial(u16),
     /// The list is longer than the buffer, which holds so many.
@@ -121,6 +123,9 @@ impl fmt::Display for Problem {
             Self::AlongView => f.write_str("must not point along the view"),
             Self::EmptyInterval => f.write_str("must run from a lower to a higher value"),
             Self::SameAxis => f.write_str("must name two different axes"),
+            Self::NotOrthonormal => {
+                f.write_str("must be three unit vectors at right angles, u × v = w")
+            }
             Self::NoSuchMaterial(index) => write!(f, "names material {index}, which is not there"),
             Self::TooMany { capacity } => {
                 write!(f, "are more than the {capacity} there is room for")

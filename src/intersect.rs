@@ -2,17 +2,14 @@
 //!
 //! Distances are found first; normal and material follow for the nearest hit
 //! alone. The common ray starts near and is answered by 32-bit distances. A
-//! far hit, on a plane beyond all else, takes the cold path.
+//! far hit, on something endless beyond all else, takes the cold path.
 
-use crate::num::{Factor, Length, Scaled, Unit};
+use crate::num::{Factor, Length, NEAR_LIMIT, Scaled, Unit};
 use crate::observer::{Observer, RayKind};
 use crate::prepared::{Light, Object, PreparedScene};
 use crate::ray::{Point, Ray, Start};
-use crate::shape::{Plane, Shape, Sphere};
+use crate::shape::{Meeting, Path, Plane, Quadric, Shape, Sphere, StartSphere};
 use crate::{Color, Vec3};
-
-/// Distances below it are near; just below 8.
-const LIMIT: Length = Length::from_bits(i32::MAX - 1024);
 
 /// The nearest point of a ray on a surface.
 #[derive(Clone, Copy, Debug)]
@@ -20,6 +17,44 @@ pub(crate) struct Hit {
     /// The object's number.
     pub(crate) object: u16,
     pub(crate) point: Point,
+    /// Of a sphereflake: the sphere, and its normal at the point.
+    pub(crate) part: Option<(Path, Vec3<Unit>)>,
+}
+
+impl Hit {
+    fn new(object: u16, point: Point) -> Self {
+        Self {
+            object,
+            point,
+            part: None,
+        }
+    }
+}
+
+/// The nearest of the near hits.
+struct Nearest {
+    object: u16,
+    distance: Length,
+    /// Of a sphereflake: where on it.
+    meeting: Option<Meeting>,
+}
+
+impl Nearest {
+    fn hit(&self, objects: &[Object], ray: &Ray) -> Hit {
+        if let Some(meeting) = &self.meeting
+            && let Some(Object {
+                shape: Shape::Sphereflake(flake),
+                ..
+            }) = objects.get(usize::from(self.object))
+        {
+            return Hit {
+                object: self.object,
+                point: ray.at_fine(meeting.exact()),
+                part: Some((meeting.path(), flake.normal(meeting))),
+            };
+        }
+        Hit::new(self.object, ray.at(self.distance))
+    }
 }
 
 /// The first surface that a ray meets.
@@ -31,11 +66,8 @@ pub(crate) fn nearest(
 ) -> Option<Hit> {
     observer.intersections(scene.objects.len() as u32);
     if ray.origin.is_near() {
-        match nearest_near(scene.objects, ray) {
-            Some((object, distance)) => Some(Hit {
-                object,
-                point: ray.at(distance),
-            }),
+        match nearest_near(scene.objects, ray, |_| true) {
+            Some(nearest) => Some(nearest.hit(scene.objects, ray)),
             None => nearest_far(scene.objects, ray),
         }
     } else {
@@ -43,15 +75,19 @@ pub(crate) fn nearest(
     }
 }
 
-/// Among hits less than [`LIMIT`] away, from a near origin.
+/// Among hits less than [`NEAR_LIMIT`] away, from a near origin.
 #[inline]
-fn nearest_near(objects: &[Object], ray: &Ray) -> Option<(u16, Length)> {
+fn nearest_near(objects: &[Object], ray: &Ray, counts: impl Fn(&Shape) -> bool) -> Option<Nearest> {
     let origin = ray.origin.coordinates;
-    let mut limit = LIMIT;
+    let mut limit = NEAR_LIMIT;
     let mut nearest = None;
-    for (index, object) in (0..).zip(objects) {
-        let is_start = ray.start.object == index;
-        let distance = match &object.shape {
+    for (object, item) in (0..).zip(objects) {
+        if !counts(&item.shape) {
+            continue;
+        }
+        let is_start = ray.start.object == object;
+        let mut meeting = None;
+        let distance = match &item.shape {
             Shape::Sphere(sphere) if is_start => ray
                 .start
                 .inward
@@ -59,75 +95,78 @@ fn nearest_near(objects: &[Object], ray: &Ray) -> Option<(u16, Length)> {
             Shape::Sphere(sphere) => sphere.distance(origin, ray.direction),
             Shape::Plane(_) if is_start => None,
             Shape::Plane(plane) => plane.distance(ray, limit),
+            Shape::Quadric(quadric) => quadric
+                .nearest(ray, is_start.then_some(ray.start.inward))
+                .and_then(Scaled::near)
+                .filter(|distance| is_start || *distance > Length::ZERO),
+            Shape::Sphereflake(flake) => {
+                meeting = flake.nearest(ray, part_of(&ray.start, is_start), limit);
+                meeting.as_ref().map(Meeting::distance)
+            }
         };
         if let Some(distance) = distance
             && distance < limit
         {
             limit = distance;
-            nearest = Some((index, distance));
+            nearest = Some(Nearest {
+                object,
+                distance,
+                meeting,
+            });
         }
     }
     nearest
 }
 
-/// Among planes, at any distance, from any origin.
-#[cold]
-fn nearest_far(objects: &[Object], ray: &Ray) -> Option<Hit> {
-    let (object, distance) = nearest_plane(objects, ray)?;
-    Some(Hit {
-        object,
-        point: ray.far_at(distance),
+/// The sphere of a flake that a ray starts on.
+fn part_of(start: &Start, is_start: bool) -> Option<StartSphere> {
+    is_start.then_some(StartSphere {
+        path: start.part,
+        inward: start.inward,
     })
 }
 
-fn nearest_plane(objects: &[Object], ray: &Ray) -> Option<(u16, Scaled)> {
-    (0..)
-        .zip(objects)
-        .filter(|(index, _)| *index != ray.start.object)
-        .filter_map(|(index, object)| match &object.shape {
-            Shape::Plane(plane) => plane.far_distance(ray).map(|distance| (index, distance)),
-            Shape::Sphere(_) => None,
-        })
-        .min_by_key(|(_, distance)| (distance.exponent, distance.mantissa))
-}
-
-/// From a far origin, outside of all finite geometry.
-///
-/// The ray goes on as a near one from shortly before it may meet finite
-/// geometry; planes are looked for from its true origin.
+/// Among endless surfaces, at any distance, from any origin.
 #[cold]
-fn nearest_from_far(objects: &[Object], ray: &Ray) -> Option<Hit> {
-    let plane = nearest_plane(objects, ray);
-    let finite = ray.approaching().and_then(|(ray, skipped)| {
-        let (object, distance) = nearest_finite(objects, &ray)?;
-        Some((
-            Hit {
-                object,
-                point: ray.at(distance),
-            },
-            i64::from(distance.to_bits()) + skipped,
-        ))
-    });
-    match (finite, plane) {
-        (Some((hit, distance)), Some((_, plane))) if distance <= plane.to_bits() => Some(hit),
-        (_, Some((object, distance))) => Some(Hit {
-            object,
-            point: ray.far_at(distance),
-        }),
-        (finite, None) => finite.map(|(hit, _)| hit),
-    }
+fn nearest_far(objects: &[Object], ray: &Ray) -> Option<Hit> {
+    let (object, distance) = nearest_endless(objects, ray)?;
+    Some(Hit::new(object, ray.far_at(distance)))
 }
 
-fn nearest_finite(objects: &[Object], ray: &Ray) -> Option<(u16, Length)> {
+fn nearest_endless(objects: &[Object], ray: &Ray) -> Option<(u16, Scaled)> {
     (0..)
         .zip(objects)
-        .filter_map(|(index, object)| match &object.shape {
-            Shape::Sphere(sphere) => sphere
-                .distance(ray.origin.coordinates, ray.direction)
-                .map(|distance| (index, distance)),
-            Shape::Plane(_) => None,
+        .filter_map(|(index, object)| {
+            let is_start = index == ray.start.object;
+            let distance = match &object.shape {
+                Shape::Plane(plane) if !is_start => plane.far_distance(ray),
+                Shape::Quadric(quadric) if quadric.is_endless() => {
+                    quadric.nearest(ray, is_start.then_some(ray.start.inward))
+                }
+                _ => None,
+            };
+            distance.map(|distance| (index, distance))
         })
         .min_by_key(|(_, distance)| *distance)
+}
+
+/// StartSphere a far origin, outside of all finite geometry.
+///
+/// The ray goes on as a near one from shortly before it may meet finite
+/// geometry; endless surfaces are looked for from its true origin.
+#[cold]
+fn nearest_from_far(objects: &[Object], ray: &Ray) -> Option<Hit> {
+    let endless = nearest_endless(objects, ray);
+    let finite = ray.approaching().and_then(|(ray, skipped)| {
+        let nearest = nearest_near(objects, &ray, Shape::is_finite)?;
+        let distance = i64::from(nearest.distance.to_bits()) + skipped;
+        Some((nearest.hit(objects, &ray), distance))
+    });
+    match (finite, endless) {
+        (Some((hit, distance)), Some((_, endless))) if distance <= endless.to_bits() => Some(hit),
+        (_, Some((object, distance))) => Some(Hit::new(object, ray.far_at(distance))),
+        (finite, None) => finite.map(|(hit, _)| hit),
+    }
 }
 
 /// The way from a light to a point of a surface.
@@ -136,19 +175,31 @@ fn nearest_finite(objects: &[Object], ray: &Ray) -> Option<(u16, Length)> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ShadowRay<'s> {
     pub(crate) light: &'s Light,
-    /// From the light to the point.
+    /// StartSphere the light to the point.
     pub(crate) direction: Vec3<Unit>,
     /// To the point, if it is near; else the light's way passes all finite
     /// geometry.
     pub(crate) distance: Length,
+    /// To the point, wherever it is, in steps of a [`Length`].
+    pub(crate) reach: i64,
     pub(crate) point: Point,
     /// The surface that the point is on; `inward` if it is lit from its inside.
     pub(crate) start: Start,
 }
 
+impl ShadowRay<'_> {
+    fn ray(&self) -> Ray {
+        Ray {
+            origin: Point::near(self.light.position),
+            direction: self.direction,
+            start: Start::NOWHERE,
+        }
+    }
+}
+
 /// What is left of a light: each surface on the way lets its `kt` through.
 ///
-/// `None` if an opaque one is among them.
+/// `None` if that is nothing.
 #[inline]
 pub(crate) fn transmittance(
     scene: &PreparedScene<'_>,
@@ -165,16 +216,23 @@ pub(crate) fn transmittance(
             Shape::Sphere(sphere) => sphere_crossings(sphere, shadow, is_start),
             Shape::Plane(_) if is_start => continue,
             Shape::Plane(plane) => [plane_crossing(plane, shadow), None],
+            Shape::Quadric(quadric) => quadric_crossings(quadric, shadow, is_start),
+            Shape::Sphereflake(flake) => {
+                let ray = shadow.ray();
+                let from = part_of(&shadow.start, is_start);
+                flake.crossings(&ray, from, shadow.distance, &mut |distance| {
+                    left = left.filtered(scene.transmitted(object, ray.at(distance)));
+                    !left.is_black()
+                });
+                [None, None]
+            }
         };
         for point in crossings.into_iter().flatten() {
-            let kt = scene
-                .material(object.texture.material(point))
-                .map_or(Color::<Factor>::BLACK, |m| m.kt);
-            if kt.is_black() {
-                observer.intersections(tested);
-                return None;
-            }
-            left = left.filtered(kt);
+            left = left.filtered(scene.transmitted(object, point));
+        }
+        if left.is_black() {
+            observer.intersections(tested);
+            return None;
         }
     }
     observer.intersections(tested);
@@ -188,13 +246,9 @@ fn sphere_crossings(sphere: &Sphere, shadow: &ShadowRay<'_>, is_start: bool) -> 
         return [None, None];
     }
     let [entry, exit] = sphere.crossings(light, shadow.direction);
-    let ray = Ray {
-        origin: Point::near(light),
-        direction: shadow.direction,
-        start: Start::NOWHERE,
-    };
+    let ray = shadow.ray();
     let before = |distance: &Length| *distance > Length::ZERO && *distance < shadow.distance;
-    // From the inside of a sphere the exit is the lit point itself.
+    // StartSphere the inside of a sphere the exit is the lit point itself.
     let exit = if is_start { None } else { exit };
     [entry, exit].map(|crossing| crossing.filter(before).map(|distance| ray.at(distance)))
 }
@@ -207,11 +261,30 @@ fn plane_crossing(plane: &Plane, shadow: &ShadowRay<'_>) -> Option<Point> {
     if (from < 0) == (to < 0) || from == 0 || to == 0 {
         return None;
     }
-    let ray = Ray {
-        origin: light,
-        direction: shadow.direction,
-        start: Start::NOWHERE,
-    };
+    let ray = shadow.ray();
     let point = ray.far_at(plane.unbounded_distance(&ray)?);
     plane.covers(point).then_some(point)
+}
+
+/// Its own surface is looked for from the point, where one root is known.
+fn quadric_crossings(
+    quadric: &Quadric,
+    shadow: &ShadowRay<'_>,
+    is_start: bool,
+) -> [Option<Point>; 2] {
+    let (ray, start) = if is_start {
+        let back = Ray {
+            origin: shadow.point,
+            direction: -shadow.direction,
+            start: shadow.start,
+        };
+        (back, Some(shadow.start.inward))
+    } else {
+        (shadow.ray(), None)
+    };
+    quadric.crossings(&ray, start).map(|crossing| {
+        crossing
+            .filter(|distance| (1..shadow.reach).contains(&distance.to_bits()))
+            .map(|distance| ray.far_at(distance))
+    })
 }

@@ -32,6 +32,9 @@ pub(crate) type Factor = fixed::types::U1F15;
 /// saturating. White is 1.
 pub type Radiance = fixed::types::U2F30;
 
+/// Distances below it are near; just below 8.
+pub(crate) const NEAR_LIMIT: Length = Length::from_bits(i32::MAX - 1024);
+
 /// A number of 0 to 2^exposure as a factor, rounded.
 pub(crate) fn factor(value: Real, exposure: u8) -> Factor {
     let shift = 17 + u32::from(exposure);
@@ -39,13 +42,31 @@ pub(crate) fn factor(value: Real, exposure: u8) -> Factor {
 }
 
 /// A positive number as `mantissa * 2^exponent`, the mantissa's top bit set.
-#[derive(Clone, Copy, Debug)]
+///
+/// The order is that of the numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Scaled {
-    pub(crate) mantissa: u32,
     pub(crate) exponent: i32,
+    pub(crate) mantissa: u32,
 }
 
 impl Scaled {
+    /// Nothing at all.
+    pub(crate) const ZERO: Self = Self {
+        mantissa: 0,
+        exponent: -64,
+    };
+
+    /// The number as a distance, rounded, if it is below [`NEAR_LIMIT`].
+    #[inline]
+    pub(crate) fn near(self) -> Option<Length> {
+        let shift = self.exponent.checked_neg()?.checked_sub(1)?;
+        let half = self.mantissa.checked_shr(u32::try_from(shift).ok()?);
+        let half = half.unwrap_or(0);
+        let rounded = (half >> 1) + (half & 1);
+        (rounded < NEAR_LIMIT.to_bits() as u32).then_some(Length::from_bits(rounded as i32))
+    }
+
     /// The number as an integer; it must fit.
     pub(crate) fn to_bits(self) -> i64 {
         let mantissa = i64::from(self.mantissa);
@@ -54,6 +75,42 @@ impl Scaled {
         } else {
             mantissa << self.exponent
         }
+    }
+}
+
+/// `2^30 n / d` for numbers above 0, relative error below 2^-29.
+///
+/// The quotient of Q58 by Q60, of Q56 by Q58 or of Q28 by Q30 is then in steps
+/// of 2^-28.
+#[inline]
+pub(crate) fn quotient(n: u64, d: u64) -> Scaled {
+    let (n_shift, d_shift) = (n.leading_zeros(), d.leading_zeros());
+    let mantissa = |x: u64, shift: u32| ((x << shift) >> 32) as u32;
+    let product = wide(
+        mantissa(n, n_shift),
+        reciprocal(mantissa(d, d_shift) | 1 << 31),
+    );
+    let last = product.leading_zeros();
+    // n = mantissa * 2^(32 - n_shift), 1/d = reciprocal * 2^(d_shift - 95) and
+    // product = the quotient's mantissa * 2^(32 - last).
+    Scaled {
+        mantissa: ((product << last) >> 32) as u32,
+        exponent: d_shift as i32 - n_shift as i32 - last as i32 - 1,
+    }
+}
+
+/// The upper half of the product of two numbers, `a b / 2^64`, with a relative
+/// error below 2^-30; shifted left by `shift`.
+#[inline]
+pub(crate) fn upper_product(a: u64, b: u64, shift: u32) -> u64 {
+    let (a_shift, b_shift) = (a.leading_zeros() & 63, b.leading_zeros() & 63);
+    let mantissa = |x: u64, shift: u32| ((x << shift) >> 32) as u32;
+    let product = wide(mantissa(a, a_shift), mantissa(b, b_shift));
+    let down = (a_shift + b_shift) as i32 - shift as i32;
+    if down >= 0 {
+        product.checked_shr(down as u32).unwrap_or(0)
+    } else {
+        product << -down
     }
 }
 
@@ -185,7 +242,7 @@ pub(crate) fn inverse_length(square: u64) -> InverseLength {
 #[derive(Clone, Copy)]
 pub(crate) struct InverseLength {
     /// `U0F32` in [1/4, 1).
-    normalized: u32,
+    pub(crate) normalized: u32,
     /// Its reciprocal root, `U1F31`.
     pub(crate) inverse: u32,
     pub(crate) half_shift: u32,

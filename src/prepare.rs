@@ -6,6 +6,7 @@
 
 mod check;
 mod frame;
+mod shape;
 mod trigonometry;
 
 pub(crate) use check::{max_depth, min_weight};
@@ -13,12 +14,12 @@ pub(crate) use check::{max_depth, min_weight};
 use crate::num::{Length, Radiance, factor, reciprocal};
 use crate::prepared::{Camera, Light, Material, Object, Room, Settings};
 use crate::scene::{self, Background};
-use crate::shape::{Bounds, Plane, Shape, Sphere};
 use crate::texture::{Checker, Texture};
-use crate::{Axis, Color, Item, Problem, Real, Scene, SceneError, Shading, Vec3};
+use crate::vector::direction;
+use crate::{Axis, Color, Item, Problem, Real, Scene, SceneError, Shading};
 
-use check::fail;
-use frame::{Frame, cross, direction};
+use frame::{Frame, cross};
+use shape::shape;
 
 /// Prepares a scene into `room`.
 pub(crate) fn prepare(scene: &Scene<'_>, room: &mut impl Room) -> Result<Settings, SceneError> {
@@ -81,47 +82,6 @@ fn camera(camera: &scene::Camera, frame: &Frame) -> Result<Camera, SceneError> {
         up,
         tangent: trigonometry::tangent_of_half(camera.fovy_deg),
     })
-}
-
-fn shape(shape: &scene::Shape, frame: &Frame, item: Item) -> Result<Shape, SceneError> {
-    match *shape {
-        scene::Shape::Sphere { center, radius } => {
-            check::least_size(item, "radius", radius, frame)?;
-            let radius = Length::from_bits(frame.length(radius.to_bits()) as i32);
-            Ok(Shape::Sphere(Sphere::new(frame.point(center), radius)))
-        }
-        scene::Shape::Plane {
-            normal,
-            point,
-            bounds,
-        } => {
-            let Some(normal) = direction(normal.map(Real::to_bits)) else {
-                return fail(item, "normal", Problem::NoDirection);
-            };
-            let Some(offset) = frame.offset(normal, point) else {
-                return fail(item, "point", frame.reach_problem());
-            };
-            let [x, y, z] = [
-                (bounds.x, frame.center.x),
-                (bounds.y, frame.center.y),
-                (bounds.z, frame.center.z),
-            ]
-            .map(|(bound, center)| {
-                bound.map_or([Length::MIN, Length::MAX], |bound| {
-                    bound.map(|b| Length::from_bits(frame.length(b.to_bits() - center) as i32))
-                })
-            });
-            let bounds = (bounds != scene::Bounds::NONE).then_some(Bounds {
-                low: Vec3::new(x[0], y[0], z[0]),
-                high: Vec3::new(x[1], y[1], z[1]),
-            });
-            Ok(Shape::Plane(Plane {
-                normal,
-                offset,
-                bounds,
-            }))
-        }
-    }
 }
 
 fn texture(texture: &scene::Texture, frame: &Frame, item: Item) -> Result<Texture, SceneError> {

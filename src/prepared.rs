@@ -7,6 +7,7 @@
 
 use crate::error::Full;
 use crate::num::{Factor, Length, Radiance, Unit};
+use crate::ray::Point;
 use crate::shape::Shape;
 use crate::texture::Texture;
 use crate::{Color, Vec3};
@@ -109,6 +110,13 @@ impl<'b> PreparedScene<'b> {
     pub(crate) fn material(&self, index: u16) -> Option<&'b Material> {
         self.materials.get(usize::from(index))
     }
+
+    /// What an object lets through at a point of its surface.
+    #[inline]
+    pub(crate) fn transmitted(&self, object: &Object, point: Point) -> Color<Factor> {
+        self.material(object.texture.material(point))
+            .map_or(Color::<Factor>::BLACK, |material| material.kt)
+    }
 }
 
 #[cfg(test)]
@@ -118,7 +126,7 @@ mod tests {
     /// What the documentation of [`SceneBuffer`] says.
     #[test]
     fn items_take_as_many_bytes_as_documented() {
-        assert_eq!(size_of::<Object>(), 72);
+        assert_eq!(size_of::<Object>(), 88);
         assert_eq!(size_of::<Light>(), 24);
         assert_eq!(size_of::<Material>(), 52);
     }

@@ -1,10 +1,12 @@
 //! Rays, and the points that they start from and reach.
 //!
 //! A prepared scene's finite geometry lies within ±1 of its origin. A point
-//! within ±[`NEAR`] is *near* and an exact [`Length`] away. Only an endless or
-//! a large plane has points beyond: they are *far* and kept in coarser steps,
+//! within ±[`NEAR`] is *near* and an exact [`Length`] away. Only planes and
+//! endless surfaces have points beyond: they are *far* and kept in coarser steps,
 //! so that their largest coordinate still uses its bits. A ray's direction
 //! itself is only known to 2^-30, so nothing is lost by it.
+
+use fixed::types::I0F16;
 
 use crate::Vec3;
 use crate::num::{Length, Scaled, Unit};
@@ -16,19 +18,32 @@ use crate::vector::round_length;
 /// `sqrt(3) * (3.5 + 1) < 8`, which a [`Length`] holds.
 const NEAR: i32 = 7 << 27;
 
+/// A hit is passed over from `2^(32 + HORIZON)` steps on: 2^26 times the
+/// scene's size, closer to the horizon than the pixels of any display.
+///
+/// A path of 33 such hits, the longest that a tree of rays has, stays below
+/// 2^60 steps, so the shift of a far point stays below 32.
+pub(crate) const HORIZON: i32 = 22;
+
 /// A point: `coordinates * 2^shift`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Point {
     pub(crate) coordinates: Vec3<Length>,
+    /// What is to be added to them, 2^-16 of a step at least: not zero for
+    /// points of the small spheres of a sphereflake only.
+    pub(crate) fine: Vec3<I0F16>,
     /// 0 for near points.
     pub(crate) shift: u8,
 }
+
+const WHOLE: Vec3<I0F16> = Vec3::new(I0F16::ZERO, I0F16::ZERO, I0F16::ZERO);
 
 impl Point {
     #[inline(always)]
     pub(crate) const fn near(coordinates: Vec3<Length>) -> Self {
         Self {
             coordinates,
+            fine: WHOLE,
             shift: 0,
         }
     }
@@ -51,6 +66,7 @@ impl Point {
         }
         Self {
             coordinates: coordinates.map(|c| Length::from_bits(c as i32)),
+            fine: WHOLE,
             shift: shift as u8,
         }
     }
@@ -81,6 +97,8 @@ pub(crate) struct Ray {
 pub(crate) struct Start {
     /// The object's number.
     pub(crate) object: u16,
+    /// Which of the spheres of a sphereflake; else 0.
+    pub(crate) part: u32,
     /// Whether the ray runs through the inside of the object.
     pub(crate) inward: bool,
 }
@@ -89,6 +107,7 @@ impl Start {
     /// In the open: the eye or a light.
     pub(crate) const NOWHERE: Self = Self {
         object: u16::MAX,
+        part: 0,
         inward: false,
     };
 }
@@ -109,6 +128,34 @@ impl Ray {
             });
         }
         Point::near(coordinates)
+    }
+
+    /// The point at a distance below 8, Q56, from a near origin; it must be
+    /// near, too. Finer than a step, where small things need it.
+    #[inline]
+    pub(crate) fn at_fine(&self, distance: i64) -> Point {
+        let Point {
+            coordinates, fine, ..
+        } = self.origin;
+        let (upper, lower) = (distance >> 28, distance & ((1 << 28) - 1));
+        // Q28 * Q30 and (Q56 * Q30) >> 28 -> Q58
+        let way = self.direction.map(|d| {
+            let d = i64::from(d.to_bits());
+            d * upper + ((d * lower) >> 28)
+        });
+        let start = coordinates.zip(fine, |c, f| {
+            (i64::from(c.to_bits()) << 30) + (i64::from(f.to_bits()) << 14)
+        });
+        let sum = start + way;
+        let coordinates = sum.map(|c| round_length(c, 30));
+        let fine = sum.zip(coordinates, |c, whole| {
+            I0F16::from_bits(((c - (i64::from(whole.to_bits()) << 30)) >> 14) as i16)
+        });
+        Point {
+            coordinates,
+            fine,
+            shift: 0,
+        }
     }
 
     /// The point at any distance from any origin.
@@ -139,7 +186,9 @@ impl Ray {
         const BEFORE: Length = Length::lit("1.75");
         const REACH: i64 = 2 << 58;
 
-        let Point { coordinates, shift } = self.origin;
+        let Point {
+            coordinates, shift, ..
+        } = self.origin;
         let middle = -coordinates.along(self.direction).to_bits();
         if middle <= 0 {
             return None;

@@ -12,7 +12,7 @@ use crate::{Color, Pixel, PreparedScene};
 
 /// Draws a scene line by line, each pixel once, without a framebuffer.
 ///
-/// It holds the stack of rays, so it takes 1.5 KB; keep it in a `static` or
+/// It holds the stack of rays, so it takes 1.7 KB; keep it in a `static` or
 /// high up on the stack. The picture's aspect follows its size.
 ///
 /// ```
@@ -151,6 +151,6 @@ mod tests {
     #[test]
     fn a_renderer_takes_as_many_bytes_as_documented() {
         let size = size_of::<Renderer<'_>>();
-        assert!(size <= 1536, "{size}");
+        assert!(size <= 1700, "{size}");
     }
 }

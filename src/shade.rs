@@ -21,6 +21,8 @@ pub(crate) struct Surface<'s> {
     cosine: Unit,
     material: &'s Material,
     object: u16,
+    /// Of a sphereflake: the sphere.
+    part: u32,
     /// Whether the ray came from behind the surface.
     inside: bool,
     /// Whether the surface bounds no inside.
@@ -34,6 +36,8 @@ impl<'s> Surface<'s> {
         let (normal, open) = match &object.shape {
             Shape::Sphere(sphere) => (sphere.normal(hit.point.coordinates), false),
             Shape::Plane(plane) => (plane.normal, plane.bounds.is_some()),
+            Shape::Quadric(quadric) => (quadric.normal(hit.point), quadric.is_open()),
+            Shape::Sphereflake(_) => (hit.part?.1, false),
         };
         let cosine = ray.direction.cosine(normal);
         let inside = cosine > Unit::ZERO;
@@ -43,6 +47,7 @@ impl<'s> Surface<'s> {
             cosine: cosine.abs(),
             material: scene.material(object.texture.material(hit.point))?,
             object: hit.object,
+            part: hit.part.map_or(0, |(path, _)| path),
             inside,
             open,
         })
@@ -87,9 +92,11 @@ impl<'s> Surface<'s> {
                 light,
                 direction: -to_light,
                 distance,
+                reach: i64::from(length.length()) << self.point.shift,
                 point: self.point,
                 start: Start {
                     object: self.object,
+                    part: self.part,
                     inward: self.inside,
                 },
             };
@@ -185,6 +192,7 @@ impl<'s> Surface<'s> {
             direction,
             start: Start {
                 object: self.object,
+                part: self.part,
                 inward,
             },
         }

@@ -5,20 +5,40 @@
 //! alone.
 
 mod plane;
+mod quadric;
 mod sphere;
+mod sphereflake;
 
 pub(crate) use plane::{Bounds, Plane};
+pub(crate) use quadric::{Cone, Cylinder, Ellipsoid, Form, Paraboloid, Quadric};
 pub(crate) use sphere::Sphere;
+pub(crate) use sphereflake::{
+    MAX_DEPTH as MAX_FLAKE_DEPTH, Meeting, Parts, Path, Sphereflake, StartSphere,
+};
 
 /// What a shape can be.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Shape {
     Sphere(Sphere),
     Plane(Plane),
+    Quadric(Quadric),
+    Sphereflake(Sphereflake),
 }
 
 impl Default for Shape {
     fn default() -> Self {
         Self::Sphere(Sphere::default())
+    }
+}
+
+impl Shape {
+    /// Whether all of it is within ±1.
+    #[inline]
+    pub(crate) fn is_finite(&self) -> bool {
+        match self {
+            Self::Sphere(_) | Self::Sphereflake(_) => true,
+            Self::Plane(_) => false,
+            Self::Quadric(quadric) => !quadric.is_endless(),
+        }
     }
 }

@@ -87,6 +87,22 @@ impl Vec3<Length> {
         self.x.wide_mul(self.x) + self.y.wide_mul(self.y) + self.z.wide_mul(self.z)
     }
 
+    /// The cross product with a direction: `I4F28 * I2F30 -> I4F28`, rounded.
+    ///
+    /// The length must be below 8.
+    #[inline]
+    pub(crate) fn cross(self, direction: Vec3<Unit>) -> Self {
+        let minor = |p: Length, q: Unit, r: Length, s: Unit| {
+            round_length((p.wide_mul(q) - r.wide_mul(s)).to_bits(), 30)
+        };
+        let d = direction;
+        Self::new(
+            minor(self.y, d.z, self.z, d.y),
+            minor(self.z, d.x, self.x, d.z),
+            minor(self.x, d.y, self.y, d.x),
+        )
+    }
+
     /// The unit vector along it, each component to 2^-30, and its length.
     ///
     /// The length must be below 8; the unit vector of zero is zero.
@@ -108,6 +124,29 @@ pub(crate) fn normalize(v: Vec3<i32>, inverse: InverseLength) -> Vec3<Unit> {
         let product = i64::from(c << shift) * i64::from(inverse.inverse);
         Unit::from_bits(((product + (1 << 31)) >> 32) as i32)
     })
+}
+
+/// How many bits a number has.
+pub(crate) fn bits(x: i64) -> i32 {
+    64 - x.unsigned_abs().leading_zeros() as i32
+}
+
+/// The unit vector along a vector of any step, below 2^63; `None` if it is
+/// shorter than 2^10 steps.
+pub(crate) fn direction(v: Vec3<i64>) -> Option<Vec3<Unit>> {
+    let most = bits(v.x).max(bits(v.y)).max(bits(v.z));
+    if most <= 10 {
+        return None;
+    }
+    // Rounding carries at most one bit.
+    let v = if most <= 30 {
+        v.map(|c| (c << (30 - most)) as i32)
+    } else {
+        v.map(|c| (((c >> (most - 31)) + 1) >> 1) as i32)
+    };
+    let square = v.map(|c| i64::from(c) * i64::from(c));
+    let inverse = inverse_length((square.x + square.y + square.z) as u64);
+    Some(normalize(v, inverse).renormalized())
 }
 
 impl Vec3<Unit> {

@@ -1,8 +1,11 @@
 //! What may be in a scene.
 
+use fixed::types::U0F32;
+
 use crate::num::{Factor, Real, factor};
 use crate::prepared::MAX_DEPTH;
 use crate::scene::{Background, Camera, Light, Material, Object, Shape, Texture};
+use crate::shape::MAX_FLAKE_DEPTH;
 use crate::{Color, Item, MaterialId, Problem, Scene, SceneError, Vec3};
 
 use super::frame::Frame;
@@ -11,6 +14,10 @@ use super::frame::Frame;
 const FARTHEST: Real = Real::lit("16777216");
 /// The brightest light, emission, ambient light or background.
 const BRIGHTEST: Real = Real::lit("256");
+/// The longest radius of an ellipsoid in its shortest one.
+const FLATTEST: Real = Real::lit("256");
+/// The height of a cone in its radius, or the other way round: 2^10.
+const STEEPEST: u32 = 10;
 /// The least size of anything, world units.
 const SMALLEST: Real = Real::lit("0.000001");
 
@@ -147,32 +154,7 @@ fn material(item: Item, material: &Material) -> Result<(), SceneError> {
 }
 
 fn object(item: Item, object: &Object, materials: usize) -> Result<(), SceneError> {
-    match object.shape {
-        Shape::Sphere { center, radius } => {
-            point(item, "center", center)?;
-            range(item, "radius", radius, [SMALLEST, FARTHEST])?;
-        }
-        Shape::Plane {
-            normal,
-            point: p,
-            bounds,
-        } => {
-            point(item, "normal", normal)?;
-            point(item, "point", p)?;
-            for (field, bound) in [
-                ("bounds.x", bounds.x),
-                ("bounds.y", bounds.y),
-                ("bounds.z", bounds.z),
-            ] {
-                let Some([low, high]) = bound else { continue };
-                range(item, field, low, [-FARTHEST, FARTHEST])?;
-                range(item, field, high, [-FARTHEST, FARTHEST])?;
-                if low >= high {
-                    return fail(item, field, Problem::EmptyInterval);
-                }
-            }
-        }
-    }
+    shape(item, &object.shape)?;
     let known = |field, MaterialId(index)| {
         if usize::from(index) < materials {
             Ok(())
@@ -196,6 +178,139 @@ fn object(item: Item, object: &Object, materials: usize) -> Result<(), SceneErro
                 .try_for_each(|material| known("checker.materials", material))
         }
     }
+}
+
+fn shape(item: Item, shape: &Shape) -> Result<(), SceneError> {
+    let size = |field, size| range(item, field, size, [SMALLEST, FARTHEST]);
+    match *shape {
+        Shape::Sphere { center, radius } => {
+            point(item, "center", center)?;
+            size("radius", radius)
+        }
+        Shape::Ellipsoid { center, radii } => {
+            point(item, "center", center)?;
+            let [shortest, longest] = [
+                radii.x.min(radii.y).min(radii.z),
+                radii.x.max(radii.y).max(radii.z),
+            ];
+            size("radii", shortest)?;
+            let most = shortest.saturating_mul(FLATTEST).min(FARTHEST);
+            range(item, "radii", longest, [SMALLEST, most])
+        }
+        Shape::Cylinder { origin, radius, y } => {
+            point(item, "origin", origin)?;
+            size("radius", radius)?;
+            y.map_or(Ok(()), |y| interval(item, "y", y))
+        }
+        Shape::Cone {
+            origin,
+            radius,
+            height,
+            y,
+        } => {
+            point(item, "origin", origin)?;
+            size("radius", radius)?;
+            let least = (radius >> STEEPEST).max(SMALLEST);
+            let most = radius.saturating_mul(Real::ONE << STEEPEST).min(FARTHEST);
+            let heights = if height < 0 {
+                [-most, -least]
+            } else {
+                [least, most]
+            };
+            range(item, "height", height, heights)?;
+            let Some(y) = y else { return Ok(()) };
+            interval(item, "y", y)?;
+            // Where it is as wide as the world.
+            let steepness = height.abs().checked_div(radius).unwrap_or(Real::ZERO);
+            let reach = FARTHEST.saturating_mul(steepness).min(FARTHEST);
+            let within = [height - reach, height + reach];
+            y.into_iter().try_for_each(|y| range(item, "y", y, within))
+        }
+        Shape::Paraboloid { origin, y } => {
+            point(item, "origin", origin)?;
+            interval(item, "y", y)?;
+            size("y", y[1])
+        }
+        Shape::Plane {
+            normal,
+            point: p,
+            bounds,
+        } => {
+            point(item, "normal", normal)?;
+            point(item, "point", p)?;
+            [
+                ("bounds.x", bounds.x),
+                ("bounds.y", bounds.y),
+                ("bounds.z", bounds.z),
+            ]
+            .into_iter()
+            .try_for_each(|(field, bound)| bound.map_or(Ok(()), |b| interval(item, field, b)))
+        }
+        Shape::Sphereflake {
+            center,
+            radius,
+            depth,
+            ratio,
+            frame,
+        } => {
+            point(item, "center", center)?;
+            size("radius", radius)?;
+            range(
+                item,
+                "depth",
+                depth.into(),
+                [Real::ZERO, MAX_FLAKE_DEPTH.into()],
+            )?;
+            range(
+                item,
+                "ratio",
+                ratio,
+                const { [Real::lit("0.1"), Real::lit("0.5")] },
+            )?;
+            frame
+                .into_iter()
+                .try_for_each(|row| point(item, "frame", row))
+        }
+    }
+}
+
+fn interval(item: Item, field: &'static str, ends: [Real; 2]) -> Result<(), SceneError> {
+    let [low, high] = ends;
+    range(item, field, low, [-FARTHEST, FARTHEST])?;
+    range(item, field, high, [-FARTHEST, FARTHEST])?;
+    if low < high {
+        Ok(())
+    } else {
+        fail(item, field, Problem::EmptyInterval)
+    }
+}
+
+/// A paraboloid must be as wide, where it ends, as any size.
+pub(super) fn least_rise(item: Item, y: [Real; 2], frame: &Frame) -> Result<(), SceneError> {
+    let least = frame.smallest().max(SMALLEST);
+    let least = [least, least.saturating_mul(least), SMALLEST]
+        .into_iter()
+        .fold(Real::ZERO, Real::max);
+    range(item, "y", y[1], [least, FARTHEST])
+}
+
+/// The smallest spheres of a flake must be as large as any size.
+pub(super) fn least_sphere(
+    item: Item,
+    radius: Real,
+    ratio: U0F32,
+    depth: u8,
+    frame: &Frame,
+) -> Result<(), SceneError> {
+    let least = frame.smallest().max(SMALLEST);
+    let smaller =
+        |radius: &i64| Some(((i128::from(*radius) * i128::from(ratio.to_bits())) >> 32) as i64);
+    let generations = core::iter::successors(Some(radius.to_bits()), smaller)
+        .take(usize::from(depth) + 1)
+        .take_while(|radius| *radius >= least.to_bits())
+        .count();
+    let most = (generations as u8).saturating_sub(1);
+    range(item, "depth", depth.into(), [Real::ZERO, most.into()])
 }
 
 /// A size must be at least 2^10 steps of the scene's scale to be round.

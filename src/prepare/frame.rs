@@ -1,9 +1,12 @@
 //! The scale of a scene.
 
-use crate::num::{Length, Real, Unit, inverse_length};
+use fixed::types::U0F32;
+
+use crate::num::{Length, Real, Unit, square_root};
 use crate::prepared::OFFSET_BITS;
 use crate::scene::Shape;
-use crate::vector::normalize;
+use crate::shape::Sphereflake;
+use crate::vector::bits;
 use crate::{Problem, Scene, Vec3};
 
 /// Where a prepared scene lies in the world: `prepared = (world - center) * 2^exponent`.
@@ -22,16 +25,95 @@ struct Extent {
 }
 
 impl Extent {
-    fn add(&mut self, point: Vec3<Real>, reach: Real) {
-        let (point, reach) = (point.map(Real::to_bits), reach.to_bits());
-        self.low = self.low.zip(point, |low, p| low.min(p - reach));
-        self.high = self.high.zip(point, |high, p| high.max(p + reach));
+    /// Adds the box of `reach` around a point.
+    fn add(&mut self, point: Vec3<Real>, reach: Vec3<i64>) {
+        let point = point.map(Real::to_bits);
+        self.add_point(point.zip(reach, |p, r| p - r));
+        self.add_point(point.zip(reach, |p, r| p + r));
+    }
+
+    fn add_point(&mut self, point: Vec3<i64>) {
+        self.low = self.low.zip(point, i64::min);
+        self.high = self.high.zip(point, i64::max);
+    }
+
+    /// Adds what of a shape is finite.
+    fn add_shape(&mut self, shape: &Shape) {
+        let around = |reach: i64| Vec3::new(reach, reach, reach);
+        match *shape {
+            Shape::Sphere { center, radius } => self.add(center, around(radius.to_bits())),
+            Shape::Ellipsoid { center, radii } => self.add(center, radii.map(Real::to_bits)),
+            Shape::Cylinder {
+                origin,
+                radius,
+                y: Some(y),
+            } => self.add_rings(origin, y, [radius.to_bits(); 2]),
+            // As high as all else is.
+            Shape::Cylinder {
+                origin,
+                radius,
+                y: None,
+            } => {
+                let origin = Vec3 {
+                    y: Real::from_bits(self.low.y),
+                    ..origin
+                };
+                self.add_rings(origin, [Real::ZERO; 2], [radius.to_bits(); 2]);
+            }
+            Shape::Cone {
+                origin,
+                radius,
+                height,
+                y,
+            } => {
+                let y = y.unwrap_or([Real::ZERO, height]);
+                let radii = y.map(|y| cone_radius(radius, height, y).abs());
+                self.add_rings(origin, y, radii);
+            }
+            Shape::Paraboloid {
+                origin,
+                y: [low, high],
+            } => {
+                let y = [low.max(Real::ZERO), high];
+                self.add_rings(origin, y, y.map(root));
+            }
+            Shape::Sphereflake {
+                center,
+                radius,
+                depth,
+                ratio,
+                ..
+            } => {
+                let bound = Sphereflake::bound(U0F32::from_bits(ratio.to_bits() as u32), depth);
+                let reach = i128::from(radius.to_bits()) * i128::from(bound.to_bits());
+                self.add(center, around((reach >> 29) as i64 + 1));
+            }
+            Shape::Plane { .. } => {}
+        }
+    }
+
+    /// Adds circles around the y axis through a point.
+    fn add_rings(&mut self, origin: Vec3<Real>, y: [Real; 2], radii: [i64; 2]) {
+        for (y, radius) in y.into_iter().zip(radii) {
+            let center = Vec3 {
+                y: origin.y + y,
+                ..origin
+            };
+            self.add(center, Vec3::new(radius, 0, radius));
+        }
     }
 }
 
-/// How many bits a number has.
-fn bits(x: i64) -> i32 {
-    64 - x.unsigned_abs().leading_zeros() as i32
+/// The radius of a cone at a height, below 0 beyond the apex, in the bits of a
+/// [`Real`]; it must fit.
+pub(super) fn cone_radius(radius: Real, height: Real, y: Real) -> i64 {
+    let product = i128::from(radius.to_bits()) * i128::from((height - y).to_bits());
+    product.checked_div(height.to_bits().into()).unwrap_or(0) as i64
+}
+
+/// The root of a number from 0, rounded up: Q32 -> Q40 -> Q20 -> Q32.
+fn root(x: Real) -> i64 {
+    (i64::from(square_root((x.to_bits() as u64) << 8)) + 1) << 12
 }
 
 impl Frame {
@@ -44,12 +126,10 @@ impl Frame {
             high: eye,
         };
         for light in scene.lights {
-            extent.add(light.position, Real::ZERO);
+            extent.add_point(light.position.map(Real::to_bits));
         }
         for object in scene.objects {
-            if let Shape::Sphere { center, radius } = object.shape {
-                extent.add(center, radius);
-            }
+            extent.add_shape(&object.shape);
         }
         let center = extent.low.zip(extent.high, |low, high| (low + high) / 2);
         let half = extent.high.zip(center, |high, center| high - center + 1);
@@ -83,6 +163,27 @@ impl Frame {
     /// A distance, from the bits of a [`Real`] to those of a [`Length`], rounded.
     pub(super) fn length(&self, bits: i64) -> i64 {
         shifted(bits.into(), self.exponent - 4) as i64
+    }
+
+    /// A size, rounded.
+    pub(super) fn size(&self, size: Real) -> Length {
+        Length::from_bits(self.length(size.to_bits()) as i32)
+    }
+
+    /// Half of a size that is given in the bits of a [`Real`], rounded.
+    pub(super) fn half_size(&self, bits: i64) -> Length {
+        Length::from_bits(shifted(bits.into(), self.exponent - 5) as i32)
+    }
+
+    /// A size below 1, rounded.
+    pub(super) fn fraction(&self, size: Real) -> U0F32 {
+        let bits = shifted(size.to_bits().into(), self.exponent);
+        U0F32::from_bits(bits.min(u32::MAX.into()) as u32)
+    }
+
+    /// A square world unit, from the bits of a [`Real`] to steps of 2^-56, rounded.
+    pub(super) fn square(&self, bits: i64) -> i64 {
+        shifted(bits.into(), 24 + 2 * self.exponent) as i64
     }
 
     pub(super) fn point(&self, point: Vec3<Real>) -> Vec3<Length> {
@@ -132,17 +233,4 @@ pub(super) fn cross(a: Vec3<Unit>, b: Vec3<Unit>) -> Vec3<i64> {
         minor(a.z, b.x, a.x, b.z),
         minor(a.x, b.y, a.y, b.x),
     )
-}
-
-/// The unit vector along a vector of any step; `None` if it is shorter than
-/// 2^10 steps.
-pub(super) fn direction(v: Vec3<i64>) -> Option<Vec3<Unit>> {
-    let most = bits(v.x).max(bits(v.y)).max(bits(v.z));
-    if most <= 10 {
-        return None;
-    }
-    let v = v.map(|c| shifted(c.into(), 30 - most) as i32);
-    let square = v.map(|c| i64::from(c) * i64::from(c));
-    let inverse = inverse_length((square.x + square.y + square.z) as u64);
-    Some(normalize(v, inverse).renormalized())
 }

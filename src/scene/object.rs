@@ -42,6 +42,43 @@ pub enum Shape {
         /// Its radius, above 0.
         radius: Real,
     },
+    /// `x²/a² + y²/b² + z²/c² = 1`. Closed.
+    Ellipsoid {
+        /// Its center.
+        center: Vec3<Real>,
+        /// a, b and c, above 0; the longest at most 256 times the shortest.
+        radii: Vec3<Real>,
+    },
+    /// `x² + z² = r²`. Open where it is clamped; an endless one bounds its inside.
+    Cylinder {
+        /// A point of the axis, from which `y` counts.
+        origin: Vec3<Real>,
+        /// Its radius, above 0.
+        radius: Real,
+        /// Where it begins and ends; `None` is endless.
+        y: Option<[Real; 2]>,
+    },
+    /// `x² + z² = (r/h)² (y - h)²`: a circle of radius r at y = 0 and an apex at
+    /// y = h. Open where it is clamped; an endless one bounds its inside.
+    Cone {
+        /// The center of the circle, from which `y` counts.
+        origin: Vec3<Real>,
+        /// The radius of the circle, above 0.
+        radius: Real,
+        /// Where the apex is: above 0, or below it for a cone that stands on
+        /// its apex. 1/1024 to 1024 times the radius.
+        height: Real,
+        /// Where it begins and ends; beyond the apex it is a double cone.
+        /// `None` is endless.
+        y: Option<[Real; 2]>,
+    },
+    /// `x² + z² = y`, in world units. Open.
+    Paraboloid {
+        /// The vertex, from which `y` counts.
+        origin: Vec3<Real>,
+        /// Where it begins and ends; the end is above 0.
+        y: [Real; 2],
+    },
     /// A plane, endless or bounded per axis. An endless one bounds the
     /// half-space behind its normal; a bounded one is open.
     Plane {
@@ -52,6 +89,33 @@ pub enum Shape {
         /// Where it ends.
         bounds: Bounds,
     },
+    /// A sphere touched by twelve smaller ones, each of which is touched by
+    /// twelve, and so on. Closed.
+    Sphereflake {
+        /// The center of the largest sphere.
+        center: Vec3<Real>,
+        /// Its radius, above 0.
+        radius: Real,
+        /// Generations of smaller spheres, 0 to 8. Six are 3,257,437 spheres.
+        depth: u8,
+        /// A sphere's radius in that of the one it touches: 0.1 to 0.5.
+        ratio: Real,
+        /// The directions u, v and w of the largest sphere, orthonormal.
+        frame: [Vec3<Real>; 3],
+    },
+}
+
+impl Shape {
+    /// The usual ratio of a sphereflake: 1/3.
+    pub const THIRD: Real = Real::from_bits(0x5555_5555);
+
+    /// The usual frame of a sphereflake, its poles up and down: u = +x, v = -z,
+    /// w = +y.
+    pub const UPRIGHT: [Vec3<Real>; 3] = [
+        Vec3::new(Real::ONE, Real::ZERO, Real::ZERO),
+        Vec3::new(Real::ZERO, Real::ZERO, Real::NEG_ONE),
+        Vec3::new(Real::ZERO, Real::ONE, Real::ZERO),
+    ];
 }
 
 /// Bounds per axis in world coordinates, low and high.

@@ -1,6 +1,6 @@
 use crate::Vec3;
-use crate::num::{Length, Scaled, Unit, reciprocal, wide};
-use crate::ray::{Point, Ray};
+use crate::num::{Length, Scaled, Unit, quotient, reciprocal, wide};
+use crate::ray::{HORIZON, Point, Ray};
 
 /// A plane, endless or bounded.
 #[derive(Clone, Copy, Debug, Default)]
@@ -39,13 +39,6 @@ impl Bounds {
             && within(p.z, self.low.z, self.high.z)
     }
 }
-
-/// A hit is passed over from `2^(32 + HORIZON)` steps on: 2^26 times the
-/// scene's size, closer to the horizon than the pixels of any display.
-///
-/// A path of 33 such hits, the longest that a tree of rays has, stays below
-/// 2^60 steps, so the shift of a far point stays below 32.
-const HORIZON: i32 = 22;
 
 impl Plane {
     /// How far behind the plane a point is, in the point's steps; negative in
@@ -89,17 +82,10 @@ impl Plane {
     /// The same, without regard to bounds.
     pub(crate) fn unbounded_distance(&self, ray: &Ray) -> Option<Scaled> {
         let (depth, cosine) = self.approach(ray)?;
-        let shift = cosine.leading_zeros();
-        let depth_shift = depth.leading_zeros();
-        let mantissa = ((depth << depth_shift) >> 32) as u32;
-        let product = wide(mantissa, reciprocal(cosine << shift));
-        let last = product.leading_zeros();
-        // depth = mantissa * 2^(32 - depth_shift), 1/cosine = reciprocal * 2^(shift - 33)
-        // and product = the distance's mantissa * 2^(32 - last).
-        let exponent = 31 + shift as i32 - depth_shift as i32 - last as i32;
+        let distance = quotient(depth, cosine.into());
         let distance = Scaled {
-            mantissa: ((product << last) >> 32) as u32,
-            exponent: exponent + i32::from(ray.origin.shift),
+            exponent: distance.exponent + i32::from(ray.origin.shift),
+            ..distance
         };
         (distance.exponent <= HORIZON).then_some(distance)
     }

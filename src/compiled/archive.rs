@@ -1,0 +1,98 @@
+//! Where the fields of an item go to or come from: one list serves both ways.
+
+use fixed::traits::Fixed;
+
+use crate::{Color, Vec3};
+
+/// Where fields go to or come from.
+pub(super) trait Archive {
+    fn bytes<const N: usize>(&mut self, bytes: &mut [u8; N]);
+}
+
+/// Counts bytes.
+pub(super) struct Counter(pub(super) usize);
+
+impl Archive for Counter {
+    fn bytes<const N: usize>(&mut self, _: &mut [u8; N]) {
+        self.0 += N;
+    }
+}
+
+/// Writes until there is no more room.
+pub(super) struct Writer<'a> {
+    pub(super) out: &'a mut [u8],
+    pub(super) written: usize,
+}
+
+impl Archive for Writer<'_> {
+    fn bytes<const N: usize>(&mut self, bytes: &mut [u8; N]) {
+        if let Some(room) = self.out.get_mut(self.written..self.written + N) {
+            room.copy_from_slice(bytes);
+        }
+        self.written += N;
+    }
+}
+
+/// Reads; zeros past the end, which is remembered.
+pub(super) struct Reader<'a> {
+    pub(super) bytes: &'a [u8],
+    pub(super) short: bool,
+}
+
+impl Archive for Reader<'_> {
+    fn bytes<const N: usize>(&mut self, bytes: &mut [u8; N]) {
+        if let Some((first, rest)) = self.bytes.split_first_chunk::<N>() {
+            (*bytes, self.bytes) = (*first, rest);
+        } else {
+            self.short = true;
+            *bytes = [0; N];
+        }
+    }
+}
+
+/// An item that is a list of fields.
+pub(super) trait Fields {
+    fn visit(&mut self, archive: &mut impl Archive);
+}
+
+macro_rules! integers {
+    ($($integer:ty),*) => {$(
+        impl Fields for $integer {
+            fn visit(&mut self, archive: &mut impl Archive) {
+                let mut bytes = self.to_le_bytes();
+                archive.bytes(&mut bytes);
+                *self = Self::from_le_bytes(bytes);
+            }
+        }
+    )*};
+}
+
+integers!(u8, i8, u16, u32, i64);
+
+/// A number of the `fixed` crate by its bits.
+pub(super) fn fixed<F, const N: usize>(value: &mut F, archive: &mut impl Archive)
+where
+    F: Fixed<Bytes = [u8; N]>,
+{
+    let mut bytes = value.to_le_bytes();
+    archive.bytes(&mut bytes);
+    *value = F::from_le_bytes(bytes);
+}
+
+pub(super) fn vector<F, const N: usize>(v: &mut Vec3<F>, archive: &mut impl Archive)
+where
+    F: Fixed<Bytes = [u8; N]>,
+{
+    fixed(&mut v.x, archive);
+    fixed(&mut v.y, archive);
+    fixed(&mut v.z, archive);
+}
+
+pub(super) fn color<F, const N: usize>(c: &mut Color<F>, archive: &mut impl Archive)
+where
+    F: Fixed<Bytes = [u8; N]>,
+{
+    fixed(&mut c.r, archive);
+    fixed(&mut c.g, archive);
+    fixed(&mut c.b, archive);
+}

@@ -1,0 +1,258 @@
+//! The fields of each item, in the order in which they are stored.
+
+use crate::Axis;
+use crate::prepared::{Camera, Light, Material, Object, Settings};
+use crate::shape::{
+    Bounds, Cone, Cylinder, Ellipsoid, Form, Paraboloid, Parts, Plane, Quadric, Shape, Sphere,
+    Sphereflake,
+};
+use crate::texture::{Checker, Texture};
+
+use super::archive::{Archive, Fields, color, fixed, vector};
+
+impl Fields for Settings {
+    fn visit(&mut self, archive: &mut impl Archive) {
+        let Camera {
+            eye,
+            forward,
+            right,
+            up,
+            tangent,
+        } = &mut self.camera;
+        vector(eye, archive);
+        vector(forward, archive);
+        vector(right, archive);
+        vector(up, archive);
+        tangent.visit(archive);
+        color(&mut self.horizon, archive);
+        color(&mut self.zenith, archive);
+        self.exposure.visit(archive);
+        self.max_depth.visit(archive);
+        fixed(&mut self.min_weight, archive);
+    }
+}
+
+impl Fields for Light {
+    fn visit(&mut self, archive: &mut impl Archive) {
+        vector(&mut self.position, archive);
+        color(&mut self.diffuse, archive);
+        color(&mut self.specular, archive);
+    }
+}
+
+impl Fields for Material {
+    fn visit(&mut self, archive: &mut impl Archive) {
+        color(&mut self.glow, archive);
+        color(&mut self.kd, archive);
+        color(&mut self.ks, archive);
+        color(&mut self.kr, archive);
+        color(&mut self.kt, archive);
+        self.shininess.visit(archive);
+        fixed(&mut self.ior, archive);
+        fixed(&mut self.inverse_ior, archive);
+        let mut blinn = u8::from(self.blinn);
+        blinn.visit(archive);
+        self.blinn = blinn != 0;
+    }
+}
+
+impl Fields for Object {
+    fn visit(&mut self, archive: &mut impl Archive) {
+        self.shape.visit(archive);
+        self.texture.visit(archive);
+    }
+}
+
+/// How the kinds of shapes are told apart.
+mod kind {
+    pub(super) const SPHERE: u8 = 0;
+    pub(super) const PLANE: u8 = 1;
+    pub(super) const BOUNDED_PLANE: u8 = 2;
+    pub(super) const ELLIPSOID: u8 = 3;
+    pub(super) const CYLINDER: u8 = 4;
+    pub(super) const CONE: u8 = 5;
+    pub(super) const PARABOLOID: u8 = 6;
+    pub(super) const SPHEREFLAKE: u8 = 7;
+}
+
+fn kind_of(shape: &Shape) -> u8 {
+    match shape {
+        Shape::Sphere(_) => kind::SPHERE,
+        Shape::Plane(Plane { bounds: None, .. }) => kind::PLANE,
+        Shape::Plane(_) => kind::BOUNDED_PLANE,
+        Shape::Quadric(quadric) => match quadric.form {
+            Form::Ellipsoid(_) => kind::ELLIPSOID,
+            Form::Cylinder(_) => kind::CYLINDER,
+            Form::Cone(_) => kind::CONE,
+            Form::Paraboloid(_) => kind::PARABOLOID,
+        },
+        Shape::Sphereflake(_) => kind::SPHEREFLAKE,
+    }
+}
+
+/// The shape that a kind begins with, before its fields are read.
+fn blank(kind: u8) -> Option<Shape> {
+    let quadric = |form| {
+        Shape::Quadric(Quadric {
+            form,
+            ..Quadric::default()
+        })
+    };
+    let plane = |bounds| {
+        Shape::Plane(Plane {
+            bounds,
+            ..Plane::default()
+        })
+    };
+    Some(match kind {
+        kind::SPHERE => Shape::Sphere(Sphere::default()),
+        kind::PLANE => plane(None),
+        kind::BOUNDED_PLANE => plane(Some(Bounds::ENDLESS)),
+        kind::ELLIPSOID => quadric(Form::Ellipsoid(Ellipsoid::default())),
+        kind::CYLINDER => quadric(Form::Cylinder(Cylinder::default())),
+        kind::CONE => quadric(Form::Cone(Cone::default())),
+        kind::PARABOLOID => quadric(Form::Paraboloid(Paraboloid::default())),
+        kind::SPHEREFLAKE => Shape::Sphereflake(Sphereflake::default()),
+        _ => return None,
+    })
+}
+
+impl Fields for Shape {
+    fn visit(&mut self, archive: &mut impl Archive) {
+        let kind = kind_of(self);
+        let mut read = kind;
+        read.visit(archive);
+        if read != kind {
+            // An unknown kind becomes a sphere without a radius, which is not valid.
+            *self = blank(read).unwrap_or_default();
+        }
+        match self {
+            Self::Sphere(sphere) => sphere.visit(archive),
+            Self::Plane(plane) => plane.visit(archive),
+            Self::Quadric(quadric) => quadric.visit(archive),
+            Self::Sphereflake(flake) => flake.visit(archive),
+        }
+    }
+}
+
+impl Fields for Sphere {
+    fn visit(&mut self, archive: &mut impl Archive) {
+        let Self {
+            mut center,
+            mut radius,
+            ..
+        } = *self;
+        vector(&mut center, archive);
+        fixed(&mut radius, archive);
+        *self = Self::new(center, radius);
+    }
+}
+
+impl Fields for Plane {
+    fn visit(&mut self, archive: &mut impl Archive) {
+        vector(&mut self.normal, archive);
+        self.offset.visit(archive);
+        if let Some(bounds) = &mut self.bounds {
+            vector(&mut bounds.low, archive);
+            vector(&mut bounds.high, archive);
+        }
+    }
+}
+
+impl Fields for Quadric {
+    fn visit(&mut self, archive: &mut impl Archive) {
+        vector(&mut self.center, archive);
+        let mut clamped = u8::from(self.clamp.is_some());
+        clamped.visit(archive);
+        let [mut low, mut high] = self.clamp.unwrap_or_default();
+        fixed(&mut low, archive);
+        fixed(&mut high, archive);
+        self.clamp = (clamped != 0).then_some([low, high]);
+        match &mut self.form {
+            Form::Ellipsoid(form) => {
+                vector(&mut form.squeeze, archive);
+                fixed(&mut form.radius, archive);
+            }
+            Form::Cylinder(form) => fixed(&mut form.radius, archive),
+            Form::Cone(form) => {
+                fixed(&mut form.radial, archive);
+                fixed(&mut form.axial, archive);
+                fixed(&mut form.radius, archive);
+            }
+            Form::Paraboloid(form) => {
+                fixed(&mut form.radius_squared, archive);
+                form.squeeze.visit(archive);
+                form.focus.visit(archive);
+            }
+        }
+    }
+}
+
+impl Fields for Sphereflake {
+    fn visit(&mut self, archive: &mut impl Archive) {
+        let Parts {
+            mut center,
+            mut frame,
+            mut radius,
+            mut ratio,
+            mut depth,
+        } = self.parts();
+        vector(&mut center, archive);
+        frame.iter_mut().for_each(|row| vector(row, archive));
+        fixed(&mut radius, archive);
+        fixed(&mut ratio, archive);
+        depth.visit(archive);
+        *self = Self::new(Parts {
+            center,
+            frame,
+            radius,
+            ratio,
+            depth,
+        });
+    }
+}
+
+impl Fields for Texture {
+    fn visit(&mut self, archive: &mut impl Archive) {
+        const UNIFORM: u8 = 0;
+        const CHECKER: u8 = 1;
+        let mut kind = match self {
+            Self::Uniform(_) => UNIFORM,
+            Self::Checker(_) => CHECKER,
+        };
+        kind.visit(archive);
+        *self = if kind == UNIFORM {
+            let mut material = match *self {
+                Self::Uniform(material) => material,
+                Self::Checker(_) => 0,
+            };
+            material.visit(archive);
+            Self::Uniform(material)
+        } else {
+            let mut checker = match *self {
+                Self::Checker(checker) => checker,
+                Self::Uniform(_) => Checker::default(),
+            };
+            checker.mantissa.visit(archive);
+            checker.exponent.visit(archive);
+            checker
+                .phase
+                .iter_mut()
+                .for_each(|phase| phase.visit(archive));
+            for axis in &mut checker.axes {
+                let mut index = *axis as u8;
+                index.visit(archive);
+                *axis = match index {
+                    0 => Axis::X,
+                    1 => Axis::Y,
+                    _ => Axis::Z,
+                };
+            }
+            checker
+                .materials
+                .iter_mut()
+                .for_each(|material| material.visit(archive));
+            Self::Checker(checker)
+        };
+    }
+}

@@ -1,0 +1,68 @@
+use crate::Vec3;
+use crate::num::{Length, Unit};
+use crate::vector::{round_length, round_unit};
+
+use super::quadratic::Quadratic;
+
+/// A cone around the y axis, squeezed to a slope of one: `x² + z² = v²` with
+/// `v = radius - axial * y`. All is halved, so that no vector is 8 long.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Cone {
+    /// What x and z are squeezed by: 1/2, or less for a flat cone.
+    pub(crate) radial: Unit,
+    /// What y is squeezed by: 1/2, or less for a steep cone; below 0 where the
+    /// radius grows with y.
+    pub(crate) axial: Unit,
+    /// The squeezed radius at the center; below 0 beyond the apex.
+    pub(crate) radius: Length,
+}
+
+impl Cone {
+    /// x, v and z, in steps of `2^shift`.
+    #[inline]
+    fn squeezed(&self, v: Vec3<Length>, shift: u8) -> Vec3<Length> {
+        let squeeze = |c: Length, k: Unit| round_length(c.wide_mul(k).to_bits(), 30);
+        Vec3::new(
+            squeeze(v.x, self.radial),
+            (self.radius >> u32::from(shift)) - squeeze(v.y, self.axial),
+            squeeze(v.z, self.radial),
+        )
+    }
+
+    /// From `offset` of the center, in steps of `2^shift`: a sphere's of radius
+    /// zero, but for the sign of v. The discriminant is the sum of the squares
+    /// of `o × d`, with the opposite sign for the part without v.
+    #[inline]
+    pub(super) fn quadratic(
+        &self,
+        offset: Vec3<Length>,
+        direction: Vec3<Unit>,
+        shift: u8,
+    ) -> Quadratic {
+        let squeeze = |c: Unit, k: Unit| round_unit(c.wide_mul(k).to_bits(), 30);
+        let o = self.squeezed(offset, shift);
+        let d = Vec3::new(
+            squeeze(direction.x, self.radial),
+            -squeeze(direction.y, self.axial),
+            squeeze(direction.z, self.radial),
+        );
+        let cross = o.cross(d).map(|c| c.wide_mul(c));
+        Quadratic {
+            a: (d.x.wide_mul(d.x) + d.z.wide_mul(d.z) - d.y.wide_mul(d.y)).to_bits(),
+            b: (o.x.wide_mul(d.x) + o.z.wide_mul(d.z) - o.y.wide_mul(d.y)).to_bits(),
+            c: (o.x.wide_mul(o.x) + o.z.wide_mul(o.z) - o.y.wide_mul(o.y)).to_bits(),
+            discriminant: (cross.x + cross.z - cross.y).to_bits(),
+        }
+    }
+
+    /// Along the normal that points away from the axis.
+    #[inline]
+    pub(super) fn gradient(&self, offset: Vec3<Length>, shift: u8) -> Vec3<i64> {
+        let o = self.squeezed(offset, shift);
+        Vec3::new(
+            o.x.wide_mul(self.radial).to_bits(),
+            o.y.wide_mul(self.axial).to_bits(),
+            o.z.wide_mul(self.radial).to_bits(),
+        )
+    }
+}

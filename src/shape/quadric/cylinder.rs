@@ -1,0 +1,42 @@
+use crate::Vec3;
+use crate::num::{Length, Unit, upper_product};
+use crate::vector::round_length;
+
+use super::quadratic::Quadratic;
+
+/// A cylinder around the y axis.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Cylinder {
+    pub(crate) radius: Length,
+}
+
+impl Cylinder {
+    /// From `offset` of the center, in steps of `2^shift`: a circle's, in the
+    /// plane of x and z. The discriminant is `r² |d|² - (o × d)²`.
+    #[inline]
+    pub(super) fn quadratic(
+        &self,
+        offset: Vec3<Length>,
+        direction: Vec3<Unit>,
+        shift: u8,
+    ) -> Quadratic {
+        let (o, d) = (offset, direction);
+        let a = (d.x.wide_mul(d.x) + d.z.wide_mul(d.z)).to_bits();
+        let radius_squared = self.radius.wide_mul(self.radius).to_bits() >> (2 * shift);
+        let reach = upper_product(radius_squared as u64, a as u64, 4) as i64;
+        let cross = o.x.wide_mul(d.z) - o.z.wide_mul(d.x);
+        let cross = round_length(cross.to_bits(), 30);
+        Quadratic {
+            a,
+            b: (o.x.wide_mul(d.x) + o.z.wide_mul(d.z)).to_bits(),
+            c: (o.x.wide_mul(o.x) + o.z.wide_mul(o.z)).to_bits() - radius_squared,
+            discriminant: reach - cross.wide_mul(cross).to_bits(),
+        }
+    }
+
+    /// Along the outward normal.
+    #[inline]
+    pub(super) fn gradient(&self, offset: Vec3<Length>) -> Vec3<i64> {
+        Vec3::new(offset.x, Length::ZERO, offset.z).map(|c| c.to_bits().into())
+    }
+}

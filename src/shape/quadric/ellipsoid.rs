@@ -1,0 +1,49 @@
+use crate::Vec3;
+use crate::num::{Length, Unit, upper_product};
+use crate::vector::{round_length, round_unit};
+
+use super::quadratic::Quadratic;
+
+/// An ellipsoid, as the sphere that it becomes when each axis is squeezed to
+/// the shortest.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Ellipsoid {
+    /// The shortest radius in each radius: up to 1.
+    pub(crate) squeeze: Vec3<Unit>,
+    /// The shortest radius.
+    pub(crate) radius: Length,
+}
+
+impl Ellipsoid {
+    #[inline]
+    fn squeezed(&self, v: Vec3<Length>) -> Vec3<Length> {
+        v.zip(self.squeeze, |c, k| {
+            round_length(c.wide_mul(k).to_bits(), 30)
+        })
+    }
+
+    /// From `offset` of the center. The discriminant is `r² |d|² - |o × d|²`
+    /// in squeezed space, which keeps the bits that `b² - a c` loses
+    /// (Lagrange's identity).
+    #[inline]
+    pub(super) fn quadratic(&self, offset: Vec3<Length>, direction: Vec3<Unit>) -> Quadratic {
+        let o = self.squeezed(offset);
+        let d = direction.zip(self.squeeze, |c, k| round_unit(c.wide_mul(k).to_bits(), 30));
+        let a = d.dot(d).to_bits();
+        let radius_squared = self.radius.wide_mul(self.radius).to_bits();
+        let reach = upper_product(radius_squared as u64, a as u64, 4) as i64;
+        Quadratic {
+            a,
+            b: o.along(d).to_bits(),
+            c: o.squared().to_bits() - radius_squared,
+            discriminant: reach - o.cross(d).squared().to_bits(),
+        }
+    }
+
+    /// Along the outward normal.
+    #[inline]
+    pub(super) fn gradient(&self, offset: Vec3<Length>) -> Vec3<i64> {
+        self.squeezed(offset)
+            .zip(self.squeeze, |c, k| c.wide_mul(k).to_bits())
+    }
+}

@@ -1,0 +1,60 @@
+use fixed::types::I8F56;
+
+use crate::Vec3;
+use crate::num::{Length, Unit, upper_product};
+
+use super::quadratic::Quadratic;
+
+/// A paraboloid around the y axis: `x² + z² = g y + r²`, with x and z squeezed
+/// by a power of two that keeps g within 1.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Paraboloid {
+    /// The squeezed radius at the center, squared.
+    pub(crate) radius_squared: I8F56,
+    /// What x and z are squeezed by: `2^-squeeze`.
+    pub(crate) squeeze: u8,
+    /// `g = 2^-focus`: 0 to 31.
+    pub(crate) focus: u8,
+}
+
+impl Paraboloid {
+    /// From `offset` of the center. With `w = o × d` the discriminant is
+    /// `r² |d|² + (g dy / 2)² + g (dx w_z - dz w_x) - w_y²`, |d| without dy.
+    #[inline]
+    pub(super) fn quadratic(&self, offset: Vec3<Length>, direction: Vec3<Unit>) -> Quadratic {
+        let (squeeze, focus) = (u32::from(self.squeeze), u32::from(self.focus));
+        let o = Vec3::new(offset.x >> squeeze, offset.y, offset.z >> squeeze);
+        let d = Vec3::new(direction.x >> squeeze, direction.y, direction.z >> squeeze);
+        let a = (d.x.wide_mul(d.x) + d.z.wide_mul(d.z)).to_bits();
+        let radius_squared = self.radius_squared.to_bits();
+        let reach = upper_product(radius_squared as u64, a as u64, 4) as i64;
+        let w = o.cross(d);
+        // g d.y / 2: Q30 -> Q58, and its square: Q60 -> Q56
+        let rise = (i64::from(d.y.to_bits()) << 27) >> focus;
+        let rise_squared = (d.y.wide_mul(d.y).to_bits() >> 6) >> (2 * focus).min(63);
+        // Q28 * Q30 -> Q58 -> Q56. The cross product's signs: w_z is
+        // o.x d.y - o.y d.x, the opposite of what the formula needs.
+        let lean = (w.x.wide_mul(d.z) - w.z.wide_mul(d.x)).to_bits() >> 2 >> focus;
+        Quadratic {
+            a,
+            b: (o.x.wide_mul(d.x) + o.z.wide_mul(d.z)).to_bits() - rise,
+            c: (o.x.wide_mul(o.x) + o.z.wide_mul(o.z)).to_bits()
+                - ((i64::from(o.y.to_bits()) << 28) >> focus)
+                - radius_squared,
+            discriminant: reach + rise_squared + lean - w.y.wide_mul(w.y).to_bits(),
+        }
+    }
+
+    /// Along the normal that points away from the axis.
+    #[inline]
+    pub(super) fn gradient(&self, offset: Vec3<Length>) -> Vec3<i64> {
+        let squeeze = 2 * u32::from(self.squeeze);
+        // Q32, for the sake of the last bits of g.
+        let radial = |c: Length| (i64::from(c.to_bits()) << 4) >> squeeze;
+        Vec3::new(
+            radial(offset.x),
+            -((1 << 31) >> self.focus),
+            radial(offset.z),
+        )
+    }
+}

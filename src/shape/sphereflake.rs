@@ -1,0 +1,293 @@
+//! The sphereflake: every sphere is touched by twelve smaller ones (Haines 1987).
+//!
+//! Nothing of it is stored. A ray walks the tree of spheres from the largest,
+//! the nearer child first, and passes over what it misses as a whole. Each
+//! level has a frame and a unit of its own, so that the smallest sphere is as
+//! exact as the largest, and memory grows with the depth alone.
+
+mod direction;
+mod node;
+
+use fixed::types::{I3F29, U0F32, U4F28};
+use heapless::Vec;
+
+use crate::Vec3;
+use crate::num::{Length, Unit, reciprocal};
+use crate::ray::Ray;
+use crate::vector::round_unit;
+use node::{Chord, Level, Node};
+
+/// A length in radii of a sphere: ±4 in steps of 2^-29.
+pub(crate) type Radii = I3F29;
+
+/// The most generations of smaller spheres.
+pub(crate) const MAX_DEPTH: u8 = 8;
+
+/// A sphere of the flake: for each generation, from the first, four bits that
+/// tell the child, 1 to 12. The largest sphere is 0.
+pub(crate) type Path = u32;
+
+/// What a sphereflake is made of.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Parts {
+    pub(crate) center: Vec3<Length>,
+    /// The directions u and v of the largest sphere; w is their cross product.
+    pub(crate) frame: [Vec3<Unit>; 2],
+    /// Such that all of it is within ±1.
+    pub(crate) radius: U0F32,
+    /// 0.1 to 0.5.
+    pub(crate) ratio: U0F32,
+    /// Up to [`MAX_DEPTH`].
+    pub(crate) depth: u8,
+}
+
+/// A sphereflake.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Sphereflake {
+    center: Vec3<Length>,
+    frame: [Vec3<Unit>; 2],
+    radius: U0F32,
+    /// `1 / (radius * 2^n)`, with n such that the quotient is 1 to 2: `U1F31`.
+    inverse_radius: u32,
+    ratio: U0F32,
+    inverse_ratio: U4F28,
+    /// All of it is within so many radii.
+    bound: Radii,
+    depth: u8,
+}
+
+/// Where a ray meets the flake first.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Meeting {
+    /// Q56.
+    distance: i64,
+    path: Path,
+    /// Outward, in the frame of the sphere.
+    normal: Vec3<Unit>,
+}
+
+impl Meeting {
+    /// Q56.
+    pub(crate) fn exact(&self) -> i64 {
+        self.distance
+    }
+
+    pub(crate) fn path(&self) -> Path {
+        self.path
+    }
+
+    /// Rounded, and above 0.
+    pub(crate) fn distance(&self) -> Length {
+        Length::from_bits(((self.distance + (1 << 27)) >> 28).max(1) as i32)
+    }
+}
+
+/// The sphere that a ray starts on.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct StartSphere {
+    pub(crate) path: Path,
+    /// Whether the ray runs through the inside of that sphere.
+    pub(crate) inward: bool,
+}
+
+impl Sphereflake {
+    pub(crate) fn new(parts: Parts) -> Self {
+        let Parts {
+            center,
+            frame,
+            radius,
+            ratio,
+            depth,
+        } = parts;
+        let mantissa = |x: U0F32| x.to_bits().wrapping_shl(x.leading_zeros()) | 1 << 31;
+        let inverse = |x| reciprocal(mantissa(x));
+        // U1F31 * 2^(n - 3) -> U4F28
+        let inverse_ratio = inverse(ratio) >> (3 - ratio.leading_zeros().min(3));
+        Self {
+            center,
+            frame,
+            radius,
+            inverse_radius: inverse(radius),
+            ratio,
+            inverse_ratio: U4F28::from_bits(inverse_ratio),
+            bound: Self::bound(ratio, depth),
+            depth,
+        }
+    }
+
+    /// What it was made of.
+    pub(crate) fn parts(&self) -> Parts {
+        Parts {
+            center: self.center,
+            frame: self.frame,
+            radius: self.radius,
+            ratio: self.ratio,
+            depth: self.depth,
+        }
+    }
+
+    /// How far a flake reaches, in radii, rounded up: a child's center is `1 +
+    /// ratio` away, and its own children reach so far in its radii.
+    pub(crate) fn bound(ratio: U0F32, depth: u8) -> Radii {
+        let ratio = u64::from(ratio.to_bits());
+        let one = 1_u64 << 28;
+        // U4F28
+        let bound = (0..depth).fold(one, |bound, _| {
+            one + (ratio >> 4) + ((ratio * bound) >> 32) + 2
+        });
+        Radii::from_bits((bound as i32 + 1) << 1)
+    }
+
+    /// The nearest hit ahead, if it is below `limit`.
+    pub(crate) fn nearest(
+        &self,
+        ray: &Ray,
+        from: Option<StartSphere>,
+        limit: Length,
+    ) -> Option<Meeting> {
+        if let Some(StartSphere { path, inward: true }) = from {
+            return self.across(ray, path);
+        }
+        let mut nearest = None;
+        let mut reach = i64::from(limit.to_bits()) << 28;
+        self.walk(ray, reach, &mut |chord| {
+            // What starts on one sphere is outside of all others.
+            let distance = if chord.entry > 0 {
+                chord.entry
+            } else if from.is_none() {
+                chord.exit
+            } else {
+                return reach;
+            };
+            let is_start = from.is_some_and(|from| from.path == chord.path);
+            if (1..reach).contains(&distance) && !is_start {
+                reach = distance;
+                nearest = Some(Meeting {
+                    distance,
+                    path: chord.path,
+                    normal: chord.normal(distance == chord.exit),
+                });
+            }
+            reach
+        });
+        nearest
+    }
+
+    /// StartSphere a point on a sphere through its inside to the other end of the
+    /// chord.
+    #[cold]
+    fn across(&self, ray: &Ray, path: Path) -> Option<Meeting> {
+        let mut node = Node::largest(self, ray)?;
+        let mut left = path;
+        while left != 0 {
+            node = node.child(self, left & 15);
+            left >>= 4;
+        }
+        let chord = node.chord(path)?;
+        Some(Meeting {
+            distance: (2 * node.distance()).max(0),
+            path,
+            normal: chord.normal(true),
+        })
+    }
+
+    /// Where a ray crosses any of the spheres, up to `reach`, in no order.
+    /// `visit` is told of each, and says whether to go on.
+    pub(crate) fn crossings(
+        &self,
+        ray: &Ray,
+        from: Option<StartSphere>,
+        reach: Length,
+        visit: &mut dyn FnMut(Length) -> bool,
+    ) {
+        let reach = i64::from(reach.to_bits()) << 28;
+        self.walk(ray, reach, &mut |chord| {
+            let ends = match from.filter(|from| from.path == chord.path) {
+                None => [chord.entry, chord.exit],
+                // The light is on the inside, too, or comes in at the entry.
+                Some(StartSphere { inward: true, .. }) => [chord.entry, 0],
+                Some(_) => [0, 0],
+            };
+            for distance in ends {
+                if (1..reach).contains(&distance)
+                    && !visit(Length::from_bits((distance >> 28) as i32))
+                {
+                    return 0;
+                }
+            }
+            reach
+        });
+    }
+
+    /// The outward unit normal of a hit.
+    pub(crate) fn normal(&self, meeting: &Meeting) -> Vec3<Unit> {
+        let mut normal = meeting.normal;
+        let generations = (32 - meeting.path.leading_zeros()).div_ceil(4);
+        for generation in (0..generations).rev() {
+            normal = direction::outward(normal, meeting.path >> (4 * generation) & 15);
+        }
+        let [u, v, w] = self.axes();
+        let along = |u: Unit, v: Unit, w: Unit| {
+            let sum = u.wide_mul(normal.x) + v.wide_mul(normal.y) + w.wide_mul(normal.z);
+            round_unit(sum.to_bits(), 30)
+        };
+        Vec3::new(
+            along(u.x, v.x, w.x),
+            along(u.y, v.y, w.y),
+            along(u.z, v.z, w.z),
+        )
+        .renormalized()
+    }
+
+    /// u, v and w of the largest sphere.
+    fn axes(&self) -> [Vec3<Unit>; 3] {
+        let [u, v] = self.frame;
+        let minor = |p: Unit, q: Unit, r: Unit, s: Unit| {
+            round_unit((p.wide_mul(q) - r.wide_mul(s)).to_bits(), 30)
+        };
+        let w = Vec3::new(
+            minor(u.y, v.z, u.z, v.y),
+            minor(u.z, v.x, u.x, v.z),
+            minor(u.x, v.y, u.y, v.x),
+        );
+        [u, v, w]
+    }
+
+    /// Visits the spheres that the line of a ray passes through ahead of it,
+    /// up to `reach`, roughly in order. `visit` says how far it reaches still:
+    /// 0 to stop.
+    #[inline(never)]
+    fn walk(&self, ray: &Ray, mut reach: i64, visit: &mut dyn FnMut(&Chord) -> i64) {
+        let mut levels = Vec::<Level, { MAX_DEPTH as usize }>::new();
+        let Some(mut node) = Node::largest(self, ray).filter(|node| node.is_within(reach)) else {
+            return;
+        };
+        let mut path = 0;
+        loop {
+            if let Some(chord) = node.chord(path) {
+                reach = visit(&chord);
+                if reach <= 0 {
+                    return;
+                }
+            }
+            if levels.len() < usize::from(self.depth) {
+                // There is room: the depth is at most the capacity.
+                let _ = levels.push(Level::new(self, node, reach));
+            }
+            // The next child of the deepest sphere that has one within reach.
+            loop {
+                let generation = levels.len() as u32;
+                let Some(level) = levels.last_mut() else {
+                    return;
+                };
+                if let Some(child) = level.next(self, reach) {
+                    node = level.node().child(self, child);
+                    let shift = 4 * (generation - 1);
+                    path = path & !(u32::MAX << shift) | child << shift;
+                    break;
+                }
+                levels.pop();
+            }
+        }
+    }
+}

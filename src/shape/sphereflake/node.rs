@@ -1,0 +1,289 @@
+use core::mem::swap;
+
+use fixed::types::U0F32;
+use heapless::Vec;
+
+use crate::Vec3;
+use crate::num::{Unit, square_root, wide};
+use crate::ray::Ray;
+use crate::vector::round_unit;
+
+use super::direction::{ASIDE, ELEVATION, EQUATOR, axis, inward};
+use super::{Path, Radii, Sphereflake};
+
+/// A ray as a sphere of the flake sees it: in the sphere's frame and its radii.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Node {
+    /// The point of the ray's line that is nearest to the center.
+    foot: Vec3<Radii>,
+    direction: Vec3<Unit>,
+    /// From the ray's origin to the foot, Q56 of the scene.
+    distance: i64,
+    radius: U0F32,
+    /// The sphere and all that follows from it is within so many radii.
+    bound: Radii,
+}
+
+/// The part of a ray's line within a sphere.
+pub(super) struct Chord {
+    pub(super) path: Path,
+    /// Q56; below 0 behind the ray's origin.
+    pub(super) entry: i64,
+    pub(super) exit: i64,
+    half: Radii,
+    foot: Vec3<Radii>,
+    direction: Vec3<Unit>,
+}
+
+impl Chord {
+    /// The outward normal at an end, in the sphere's frame.
+    pub(super) fn normal(&self, at_exit: bool) -> Vec3<Unit> {
+        let half = if at_exit { self.half } else { -self.half };
+        // Q29 -> Q59; Q29 * Q30 -> Q59; rounded to Q30.
+        self.foot.zip(self.direction, |l, d| {
+            round_unit(
+                (i64::from(l.to_bits()) << 30) + half.wide_mul(d).to_bits(),
+                29,
+            )
+        })
+    }
+}
+
+/// A length in radii as Q56 of the scene: `Q29 * Q32 -> Q61 -> Q56`.
+#[inline(always)]
+fn scaled(radii: Radii, radius: U0F32) -> i64 {
+    (i64::from(radii.to_bits()) * i64::from(radius.to_bits())) >> 5
+}
+
+impl Node {
+    /// The largest sphere, if the ray's line passes within its bound.
+    #[inline]
+    pub(super) fn largest(flake: &Sphereflake, ray: &Ray) -> Option<Self> {
+        let d = ray.direction;
+        let offset = ray.origin.coordinates - flake.center;
+        let fine = ray.origin.fine.map(|c| i64::from(c.to_bits()));
+        let finer = fine.zip(d, |f, d| f * i64::from(d.to_bits()));
+        // Q28 * Q30 and Q44 * Q30 -> Q58 -> Q28. What is rounded away moves the
+        // foot along the ray, where it does no harm.
+        let along = offset.along(d).to_bits() + ((finer.x + finer.y + finer.z) >> 16);
+        let distance = -((along + (1 << 29)) >> 30);
+        // Q58, exact but for the finer part's last bits.
+        let foot = offset.zip(d, |o, d| {
+            (i64::from(o.to_bits()) << 30) + i64::from(d.to_bits()) * distance
+        });
+        let foot = foot.zip(fine, |c, f| c + (f << 14));
+        let most = scaled(flake.bound, flake.radius) << 2;
+        if !foot.all(|c| (-most..=most).contains(&c)) {
+            return None;
+        }
+        // In radii: by the power of two, Q58 -> Q29, then by what is left, 1 to 2.
+        let shift = flake.radius.leading_zeros();
+        let foot = foot.map(|c| {
+            let product = ((c << shift) >> 29) * i64::from(flake.inverse_radius);
+            Radii::from_bits(((product + (1 << 30)) >> 31) as i32)
+        });
+        let node = Self {
+            foot,
+            direction: d,
+            distance: distance << 28,
+            radius: flake.radius,
+            bound: flake.bound,
+        };
+        if node.squared() > node.bound.wide_mul(node.bound).to_bits() as u64 >> 2 {
+            return None;
+        }
+        let [u, v, w] = flake.axes();
+        let turned = |axis: Vec3<Unit>| {
+            let sum = foot.x.wide_mul(axis.x) + foot.y.wide_mul(axis.y) + foot.z.wide_mul(axis.z);
+            Radii::from_bits(((sum.to_bits() + (1 << 29)) >> 30) as i32)
+        };
+        Some(Self {
+            foot: Vec3::new(turned(u), turned(v), turned(w)),
+            direction: Vec3::new(d.cosine(u), d.cosine(v), d.cosine(w)),
+            ..node
+        })
+    }
+
+    /// From the ray's origin to the foot, Q56.
+    pub(super) fn distance(&self) -> i64 {
+        self.distance
+    }
+
+    /// The square of the foot's distance, Q56 of square radii.
+    #[inline(always)]
+    fn squared(&self) -> u64 {
+        let square = self.foot.map(|c| c.wide_mul(c).to_bits() as u64 >> 2);
+        square.x + square.y + square.z
+    }
+
+    /// Whether some of all that is within the bound may be ahead and within reach.
+    #[inline]
+    pub(super) fn is_within(&self, reach: i64) -> bool {
+        let bound = scaled(self.bound, self.radius);
+        self.distance + bound > 0 && self.distance - bound < reach
+    }
+
+    /// What the sphere itself cuts out of the ray's line.
+    #[inline]
+    pub(super) fn chord(&self, path: Path) -> Option<Chord> {
+        let rest = (1_u64 << 56).checked_sub(self.squared())?;
+        // Q58 -> Q29
+        let half = Radii::from_bits(square_root(rest << 2) as i32);
+        let length = scaled(half, self.radius);
+        Some(Chord {
+            path,
+            entry: self.distance - length,
+            exit: self.distance + length,
+            half,
+            foot: self.foot,
+            direction: self.direction,
+        })
+    }
+
+    /// From the ray's origin to a child's foot, which is so many radii (Q30)
+    /// farther: `Q30 * Q32 -> Q62 -> Q56`.
+    #[inline(always)]
+    fn foot_of(&self, farther: i32) -> i64 {
+        self.distance + ((i64::from(farther) * i64::from(self.radius.to_bits())) >> 6)
+    }
+
+    /// How far from a child's center all that follows from it reaches, in the
+    /// radii of the parent, rounded up.
+    #[inline(always)]
+    fn child_bound(&self, flake: &Sphereflake) -> Radii {
+        Radii::from_bits(self.bound.to_bits() - (flake.step().to_bits() >> 1) + 1)
+    }
+
+    /// The same ray as a child sees it: the foot is taken anew, turned and
+    /// brought to the child's radii.
+    #[inline]
+    pub(super) fn child(&self, flake: &Sphereflake, child: u32) -> Self {
+        let axis = axis(child);
+        let step = flake.step();
+        // How much farther the child's foot is: Q30 * Q30 -> Q30
+        let farther = round_unit(step.wide_mul(self.direction.cosine(axis)).to_bits(), 30);
+        // l - step a + farther d: Q29 -> Q60; Q30 * Q30 -> Q60; rounded to Q30.
+        let foot = self.foot.map(|l| i64::from(l.to_bits()) << 31);
+        let foot = foot.zip(axis, |l, a| l - step.wide_mul(a).to_bits());
+        let foot = foot.zip(self.direction, |l, d| {
+            round_unit(l + farther.wide_mul(d).to_bits(), 30)
+        });
+        let inverse = i64::from(flake.inverse_ratio.to_bits());
+        Self {
+            // Q30 * Q28 -> Q58 -> Q29
+            foot: inward(foot, child).map(|c| {
+                Radii::from_bits(((i64::from(c.to_bits()) * inverse + (1 << 28)) >> 29) as i32)
+            }),
+            direction: inward(self.direction, child),
+            distance: self.foot_of(farther.to_bits()),
+            radius: U0F32::from_bits(
+                ((wide(self.radius.to_bits(), flake.ratio.to_bits()) + (1 << 31)) >> 32) as u32,
+            ),
+            // Rounded up.
+            bound: Radii::from_bits(
+                ((i64::from(self.child_bound(flake).to_bits()) * inverse) >> 28) as i32 + 1,
+            ),
+        }
+    }
+}
+
+/// A sphere on the way down, and its children that are still to be visited.
+#[derive(Clone, Debug)]
+pub(super) struct Level {
+    node: Node,
+    /// The nearest last. The upper 28 bits are how much farther the child's
+    /// foot is, Q30 in radii, the lower four tell the child.
+    children: Vec<i32, 12>,
+}
+
+impl Level {
+    /// Finds the children whose bound the ray passes through within reach.
+    ///
+    /// With child direction a, `step = 1 + ratio` and `b = step d·a`, the
+    /// child's foot has the square `l² + step² - 2 step l·a - b²`. Children are
+    /// six pairs of opposites, and the dot products share their terms.
+    #[inline]
+    pub(super) fn new(flake: &Sphereflake, node: Node, reach: i64) -> Self {
+        let step = flake.step();
+        let child_bound = node.child_bound(flake);
+        // Q56 -> Q27; a margin of what all roundings can do.
+        let squares = (node.squared() as i64) + (step.wide_mul(step).to_bits() >> 4)
+            - (child_bound.wide_mul(child_bound).to_bits() >> 2);
+        let threshold = (squares >> 29) as i32 - 16;
+        let farther = flake.dots(node.direction.map(Unit::to_bits), 30);
+        // Q29 -> Q28, and so twice of it in Q27.
+        let nearer = flake.dots(node.foot.map(Radii::to_bits), 31);
+        let bound = scaled(child_bound, node.radius);
+        let mut children = Vec::new();
+        for (pair, (farther, nearer)) in (1..).zip(farther.into_iter().zip(nearer)) {
+            // Q60 -> Q27
+            let square = ((i64::from(farther) * i64::from(farther)) >> 33) as i32;
+            for (child, farther, nearer) in [(pair, farther, nearer), (pair + 6, -farther, -nearer)]
+            {
+                if square + nearer < threshold {
+                    continue;
+                }
+                let distance = node.foot_of(farther);
+                if distance + bound <= 0 || distance - bound >= reach {
+                    continue;
+                }
+                insert(&mut children, farther & !15 | child);
+            }
+        }
+        Self { node, children }
+    }
+
+    pub(super) fn node(&self) -> &Node {
+        &self.node
+    }
+
+    /// The nearest child that is left; none if all are out of reach.
+    #[inline]
+    pub(super) fn next(&mut self, flake: &Sphereflake, reach: i64) -> Option<u32> {
+        let child = self.children.pop()?;
+        let bound = scaled(self.node.child_bound(flake), self.node.radius);
+        (self.node.foot_of(child & !15) - bound < reach).then_some((child & 15) as u32)
+    }
+}
+
+/// Keeps the list in falling order. There is room for all twelve.
+#[inline]
+fn insert(children: &mut Vec<i32, 12>, child: i32) {
+    let mut lower = child;
+    for slot in children.iter_mut() {
+        if *slot < lower {
+            swap(slot, &mut lower);
+        }
+    }
+    let _ = children.push(lower);
+}
+
+impl Sphereflake {
+    /// From a sphere's center to a child's, in radii: 1.1 to 1.5.
+    #[inline(always)]
+    fn step(&self) -> Unit {
+        Unit::from_bits((1 << 30) + (self.ratio.to_bits() >> 2) as i32)
+    }
+
+    /// `step` times the dot products with the first six directions, of which
+    /// the others are the opposites; shifted right.
+    #[inline]
+    fn dots(&self, v: Vec3<i32>, shift: u32) -> [i32; 6] {
+        let step = self.step();
+        let part = |c: i32, k: Unit| {
+            let k = (step.wide_mul(k).to_bits() >> 30) as i32;
+            ((i64::from(c) * i64::from(k)) >> shift) as i32
+        };
+        let x = part(v.x, Unit::ONE);
+        let half = x >> 1;
+        let (equator, aside, up) = (part(v.y, EQUATOR), part(v.y, ASIDE), part(v.z, ELEVATION));
+        [
+            x,
+            half + equator,
+            equator - half,
+            half + aside + up,
+            aside + up - half,
+            up - 2 * aside,
+        ]
+    }
+}
