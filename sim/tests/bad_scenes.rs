@@ -49,6 +49,12 @@ fn types() -> Result<(), Box<dyn Error>> {
     check(include_str!("bad_scenes/types.txt"))
 }
 
+/// The keys of each type of object but the simplest.
+#[test]
+fn shapes() -> Result<(), Box<dyn Error>> {
+    check(include_str!("bad_scenes/shapes.txt"))
+}
+
 #[test]
 fn numbers() -> Result<(), Box<dyn Error>> {
     check(include_str!("bad_scenes/numbers.txt"))

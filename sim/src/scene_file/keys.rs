@@ -4,7 +4,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::error::LoadError;
 use super::example::example;
-use super::nearest::advice;
+use super::nearest::{advice, list};
 use super::source::Source;
 use super::value::Value;
 
@@ -73,7 +73,12 @@ impl<'a> Keys<'a> {
             format!("`{name}` belongs to the scene: write it above the first [table]")
         } else {
             let keys = kind.keys.iter().copied();
-            advice(name, keys, &format!("the keys of {} are", kind.name))
+            let these_are = format!("the keys of {} are", kind.name);
+            // The key of another kind is not misspelt, but out of place.
+            match example(name) {
+                "" => advice(name, keys, &these_are),
+                _ => format!("{these_are} {}", list(keys)),
+            }
         };
         let reason = format!("{} has no such key", kind.name);
         Err(self

@@ -3,8 +3,7 @@ use whitted::Object;
 use super::error::LoadError;
 use super::keys::{Keys, Kind};
 use super::material::Names;
-use super::nearest::list;
-use super::shape::{PLANNED, SHAPES};
+use super::shape::SHAPES;
 use super::texture::texture;
 use super::value::Value;
 
@@ -12,8 +11,8 @@ use super::value::Value;
 const OBJECT: Kind = Kind {
     name: "an object",
     keys: &[
-        "type", "material", "checker", "center", "radius", "normal", "point", "bounds", "origin",
-        "height", "radii", "y", "depth", "ratio", "frame",
+        "type", "material", "checker", "center", "radius", "radii", "origin", "height", "y",
+        "normal", "point", "bounds", "depth", "ratio", "frame",
     ],
 };
 
@@ -24,17 +23,8 @@ pub(super) fn object(value: &Value<'_>, names: &Names<'_>) -> Result<Object, Loa
         keys.only(OBJECT)?;
         return Err(keys.missing("type", OBJECT.name));
     };
-    let what = "a type of object";
-    let name = kind.text(what)?;
-    if PLANNED.contains(&name) {
-        return Err(kind
-            .error(format!("`{name}` is not supported yet"))
-            .help(format!(
-                "the types are {}",
-                list(SHAPES.map(|(name, _)| name))
-            )));
-    }
-    let form = kind.choice(&SHAPES, what, "the types are")?;
+    let forms = SHAPES.map(|form| (form.name, form));
+    let form = kind.choice(&forms, "a type of object", "the types are")?;
     keys.only(form.kind)?;
     Ok(Object {
         shape: (form.read)(&keys)?,

@@ -1,0 +1,26 @@
+use whitted::Shape;
+
+use super::Form;
+use crate::scene_file::error::LoadError;
+use crate::scene_file::keys::{Keys, Kind};
+
+pub(super) const FORM: Form = Form {
+    name: "cone",
+    kind: Kind {
+        name: "a cone",
+        keys: &[
+            "type", "origin", "radius", "height", "y", "material", "checker",
+        ],
+    },
+    read,
+};
+
+fn read(keys: &Keys<'_>) -> Result<Shape, LoadError> {
+    let need = |key| keys.need(key, FORM.kind.name);
+    Ok(Shape::Cone {
+        origin: need("origin")?.vector()?,
+        radius: need("radius")?.number()?,
+        height: need("height")?.number()?,
+        y: keys.get("y").map(|y| y.interval()).transpose()?,
+    })
+}
