@@ -1,4 +1,5 @@
-//! What a host adds to [`whitted`]: scene files, pictures and their comparison.
+//! What a host adds to [`whitted`]: scene files, pictures and their comparison,
+//! and the ray trees of pixels.
 //!
 //! ```text
 //! scene file ── scene_file ──> whitted::Scene ──> PreparedScene ── render ──> Picture
@@ -14,5 +15,6 @@
 pub mod compare;
 pub mod picture;
 pub mod png16;
+pub mod ray_tree;
 pub mod render;
 pub mod scene_file;

@@ -165,11 +165,37 @@ fn a_scene_is_checked() -> Outcome {
 }
 
 #[test]
+fn a_pixel_is_explained() -> Outcome {
+    let here = Directory::new("explain")?;
+    let depth = ["--size", "128x96", "--max-depth", "1"];
+    let said = here.ok(&[&["explain", "whitted", "60", "48"][..], &depth].concat())?;
+    let expected = r#"E object 1, sphere "glass": weight 1.0000, local 0.0000
+├─ R object 0, plane "red" or "yellow": weight 0.0800, local (0.6258, 0.4693, 0.0498)
+│  └─ S light 0: reached
+└─ T object 1, sphere "glass" from inside: weight 0.9300, local 0.0000
+   └─ S light 0: filtered by 0.9300
+color: (0.0501, 0.0375, 0.0040)
+8 bit: (13, 10, 1)
+rays: 5: 1 eye, 1 reflected, 1 transmitted, 2 shadow
+"#;
+    assert_eq!(said, expected);
+    here.ok(&["compile", "whitted", "-o", "whitted.scene"])?;
+    let said = here.ok(&[&["explain", "whitted.scene", "60", "48"][..], &depth].concat())?;
+    // A compiled scene has no names.
+    let named = [", plane \"red\" or \"yellow\"", ", sphere \"glass\""];
+    let unnamed = named
+        .iter()
+        .fold(expected.to_owned(), |text, name| text.replace(name, ""));
+    assert_eq!(said, unnamed);
+    Ok(())
+}
+
+#[test]
 fn bad_input_is_refused() -> Outcome {
     let here = Directory::new("bad")?;
     fs::write(here.0.join("bad.toml"), "colour = 1\n")?;
     fs::write(here.0.join("bad.scene"), [0xff, 0xfe])?;
-    let cases: [(&[&str], &str); 14] = [
+    let cases: [(&[&str], &str); 16] = [
         (
             &["render", "bad.toml"],
             "error: bad.toml:1: colour: a scene has no such key\n  help: ",
@@ -215,6 +241,14 @@ fn bad_input_is_refused() -> Outcome {
         (
             &["render", "whitted", "--size", "2x2", "-o", "no/x.png"],
             "error: no/x.png: ",
+        ),
+        (
+            &["explain", "whitted", "320", "0"],
+            "error: pixel 320 0: outside of the picture of 320x240\n  help: x is from 0 to 319, y",
+        ),
+        (
+            &["explain", "whitted", "-1", "0"],
+            "error: invalid value '-1' for '<X>': ",
         ),
         (&["rendr"], "error: unrecognized subcommand 'rendr'\n"),
     ];

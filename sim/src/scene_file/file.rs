@@ -1,4 +1,4 @@
-use whitted::{Light, Material, Object, PreparedScene, Scene, SceneBuffer};
+use whitted::{Light, Material, MaterialId, Object, PreparedScene, Scene, SceneBuffer, Texture};
 
 use super::error::LoadError;
 use super::outline::Outline;
@@ -40,5 +40,19 @@ impl SceneFile {
         buffer
             .prepare(&self.scene())
             .map_err(|error| self.explain(error))
+    }
+    /// An object in the file's words: its type and what covers it, for example
+    /// `sphere "glass"`.
+    pub fn describe(&self, object: u16) -> Option<String> {
+        let name = |MaterialId(index)| self.material_names.get(usize::from(index));
+        let kind = self.outline.find(&format!("objects[{object}].type"))?;
+        let kind = kind.text.trim_matches(['"', '\'']);
+        Some(match self.objects.get(usize::from(object))?.texture {
+            Texture::Uniform(material) => format!("{kind} {:?}", name(material)?),
+            Texture::Checker {
+                materials: [even, odd],
+                ..
+            } => format!("{kind} {:?} or {:?}", name(even)?, name(odd)?),
+        })
     }
 }

@@ -38,6 +38,12 @@ pub(crate) enum Command {
         #[arg(short, long, value_name = "FILE")]
         output: PathBuf,
     },
+    /// Print the tree of rays that a pixel's color comes from.
+    ///
+    /// A line is a ray: E from the eye, R reflected, T transmitted; what it met,
+    /// the share of it that reaches the eye (weight), and the color of the place
+    /// itself (local). S are the shadow rays between that place and the lights.
+    Explain(Explain),
     /// Show a scene in a window (needs the feature `window`).
     View(View),
 }
@@ -60,6 +66,20 @@ pub(crate) struct Render {
     /// Print rays, intersection tests, time and checksum.
     #[arg(long)]
     pub(crate) stats: bool,
+}
+
+#[derive(clap::Args)]
+pub(crate) struct Explain {
+    /// A scene file, a compiled scene, or the name of a scene in scenes/.
+    pub(crate) scene: PathBuf,
+    /// The pixel's column, from 0 at the left.
+    #[arg(allow_negative_numbers = true)]
+    pub(crate) x: u32,
+    /// The pixel's row, from 0 at the top.
+    #[arg(allow_negative_numbers = true)]
+    pub(crate) y: u32,
+    #[command(flatten)]
+    pub(crate) quality: Quality,
 }
 
 #[derive(clap::Args)]

@@ -1,11 +1,12 @@
-//! The host simulator: renders scene files, compares pictures, checks and
-//! compiles scenes.
+//! The host simulator: renders scene files, compares pictures, explains pixels,
+//! checks and compiles scenes.
 //!
 //! args ── open (scene) ── draw or linear ──> PNG, terminal, window
 
 mod args;
 mod compare;
 mod draw;
+mod explain;
 mod linear;
 mod memory;
 mod open;
@@ -41,6 +42,7 @@ fn run(args: Args) -> Outcome {
         Some(Command::Compare { a, b }) => compare::compare(&a, &b),
         Some(Command::Check { scene }) => scene::check(&scene),
         Some(Command::Compile { scene, output }) => scene::compile(&scene, &output),
+        Some(Command::Explain(options)) => explain::explain(&options),
         Some(Command::View(options)) => view::view(&options),
     }
 }

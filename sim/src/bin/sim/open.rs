@@ -71,6 +71,14 @@ impl Scene {
         }
         Ok(scene)
     }
+
+    /// More of an object than its number, if the scene knows more.
+    pub(crate) fn describe(&self, object: u16) -> Option<String> {
+        match self {
+            Self::File(file) => file.describe(object),
+            Self::Compiled { .. } => None,
+        }
+    }
 }
 
 fn decode(bytes: &[u8]) -> Result<(), DecodeError> {
