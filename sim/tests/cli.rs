@@ -5,6 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+use whitted::Color;
 use whitted_sim::png16;
 
 type Outcome = Result<(), Box<dyn Error>>;
@@ -191,11 +192,58 @@ rays: 5: 1 eye, 1 reflected, 1 transmitted, 2 shadow
 }
 
 #[test]
+fn a_gallery_shows_scenes() -> Outcome {
+    let here = Directory::new("gallery")?;
+    let camera = "camera = { eye = [0, 0, 1], look_at = [0, 0, 0], fovy_deg = 33 }\n";
+    let red = format!("title = \"R < G\"\nbackground = [1, 0, 0]\n{camera}");
+    let green = format!("background = [0, 1, 0]\n{camera}");
+    fs::write(here.0.join("red.toml"), red)?;
+    fs::write(here.0.join("green.toml"), green)?;
+    let scenes = ["red.toml", "green.toml"];
+    let said = here.ok(&[&["gallery", "-o", "out/all", "--size", "8x6"][..], &scenes].concat())?;
+    let out = here.0.join("out/all");
+    let files = ["red.png", "green.png", "contact-sheet.png", "index.html"];
+    let wrote = files.map(|file| format!("wrote {}\n", out.join(file).display()));
+    assert_eq!(said, wrote.concat());
+    // As `render` draws it.
+    here.ok(&["render", "red.toml", "--size", "8x6"])?;
+    assert_eq!(
+        fs::read(out.join("red.png"))?,
+        fs::read(here.0.join("red.png"))?
+    );
+
+    let sheet = png16::read(out.join("contact-sheet.png"))?;
+    assert_eq!((sheet.width, sheet.height), (2 * 192 + 3 * 8, 144 + 2 * 8));
+    let at = |x: usize, y: usize| sheet.pixels[y * sheet.width as usize + x];
+    let (red, green) = (Color::new(0xffff, 0, 0), Color::new(0, 0xffff, 0));
+    assert_eq!(
+        [at(8, 8), at(199, 151), at(208, 8), at(399, 151)],
+        [red, red, green, green]
+    );
+    let between = [
+        at(7, 8),
+        at(200, 8),
+        at(207, 8),
+        at(400, 8),
+        at(8, 7),
+        at(8, 152),
+    ];
+    assert_eq!(between, [Color::new(0x2020, 0x2020, 0x2020); 6]);
+
+    let page = fs::read_to_string(out.join("index.html"))?;
+    assert!(page.contains("<figcaption>R &lt; G\n    <small>8x6, 48 rays, <a href=\"red.png\">"));
+    // Without a title, by name.
+    assert!(page.contains("<figcaption>green\n"));
+    assert!(page.find("red.png") < page.find("green.png"));
+    Ok(())
+}
+
+#[test]
 fn bad_input_is_refused() -> Outcome {
     let here = Directory::new("bad")?;
     fs::write(here.0.join("bad.toml"), "colour = 1\n")?;
     fs::write(here.0.join("bad.scene"), [0xff, 0xfe])?;
-    let cases: [(&[&str], &str); 16] = [
+    let cases: [(&[&str], &str); 18] = [
         (
             &["render", "bad.toml"],
             "error: bad.toml:1: colour: a scene has no such key\n  help: ",
@@ -249,6 +297,14 @@ fn bad_input_is_refused() -> Outcome {
         (
             &["explain", "whitted", "-1", "0"],
             "error: invalid value '-1' for '<X>': ",
+        ),
+        (
+            &["gallery", "-o", "x", "whitted", "scenes/whitted.toml"],
+            "error: scenes/whitted.toml: there is another picture `whitted.png`\n  help: ",
+        ),
+        (
+            &["gallery", "-o", "bad.toml/x", "whitted"],
+            "error: bad.toml/x: cannot be made: ",
         ),
         (&["rendr"], "error: unrecognized subcommand 'rendr'\n"),
     ];

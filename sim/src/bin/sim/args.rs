@@ -44,6 +44,8 @@ pub(crate) enum Command {
     /// the share of it that reaches the eye (weight), and the color of the place
     /// itself (local). S are the shadow rays between that place and the lights.
     Explain(Explain),
+    /// Render scenes into a directory, with a page to look at them.
+    Gallery(Gallery),
     /// Show a scene in a window (needs the feature `window`).
     View(View),
 }
@@ -80,6 +82,18 @@ pub(crate) struct Explain {
     pub(crate) y: u32,
     #[command(flatten)]
     pub(crate) quality: Quality,
+}
+
+#[derive(clap::Args)]
+pub(crate) struct Gallery {
+    /// Scene files, compiled scenes, or names of scenes in scenes/ [default: all of scenes/].
+    pub(crate) scenes: Vec<PathBuf>,
+    /// The directory to write NAME.png, index.html and contact-sheet.png to.
+    #[arg(short, long, value_name = "DIR")]
+    pub(crate) output: PathBuf,
+    /// Width and height of each picture in pixels.
+    #[arg(long, value_name = "WxH", default_value = "640x480", value_parser = size)]
+    pub(crate) size: Size,
 }
 
 #[derive(clap::Args)]

@@ -7,6 +7,7 @@ mod args;
 mod compare;
 mod draw;
 mod explain;
+mod gallery;
 mod linear;
 mod memory;
 mod open;
@@ -43,6 +44,7 @@ fn run(args: Args) -> Outcome {
         Some(Command::Check { scene }) => scene::check(&scene),
         Some(Command::Compile { scene, output }) => scene::compile(&scene, &output),
         Some(Command::Explain(options)) => explain::explain(&options),
+        Some(Command::Gallery(options)) => gallery::gallery(&options),
         Some(Command::View(options)) => view::view(&options),
     }
 }

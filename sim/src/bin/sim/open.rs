@@ -72,6 +72,14 @@ impl Scene {
         Ok(scene)
     }
 
+    /// What the scene calls itself.
+    pub(crate) fn title(&self) -> Option<&str> {
+        match self {
+            Self::File(file) => file.title.as_deref(),
+            Self::Compiled { .. } => None,
+        }
+    }
+
     /// More of an object than its number, if the scene knows more.
     pub(crate) fn describe(&self, object: u16) -> Option<String> {
         match self {
@@ -85,12 +93,34 @@ fn decode(bytes: &[u8]) -> Result<(), DecodeError> {
     Buffer::new().decode(bytes).map(drop)
 }
 
+/// The project's root, and the scenes in it.
+fn places() -> [PathBuf; 2] {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent();
+    let root = root.unwrap_or(Path::new("."));
+    [root.to_owned(), root.join("scenes")]
+}
+
+/// The project's scenes, by name.
+pub(crate) fn all_scenes() -> Outcome<Vec<PathBuf>> {
+    let [_, scenes] = places();
+    let entries = fs::read_dir(&scenes)
+        .map_err(|error| format!("{}: cannot be read: {error}", scenes.display()))?;
+    let mut paths = Vec::new();
+    for entry in entries {
+        paths.push(entry?.path());
+    }
+    paths.retain(|path| {
+        path.extension()
+            .is_some_and(|extension| extension == "toml")
+    });
+    paths.sort();
+    Ok(paths)
+}
+
 /// The path itself; or the same seen from the project's root; or a scene of
 /// that name in scenes/.
 fn find(path: &Path) -> Outcome<PathBuf> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent();
-    let root = root.unwrap_or(Path::new("."));
-    let scenes = root.join("scenes");
+    let [root, scenes] = places();
     let mut named = scenes.join(path).into_os_string();
     named.push(".toml");
     let places = [
@@ -105,15 +135,14 @@ fn find(path: &Path) -> Outcome<PathBuf> {
     {
         return Ok(found);
     }
-    Err(format!("{}: no such scene{}", path.display(), advice(path, &scenes)).into())
+    Err(format!("{}: no such scene{}", path.display(), advice(path)).into())
 }
 
 /// Names the scene that was most likely meant.
-fn advice(path: &Path, scenes: &Path) -> String {
+fn advice(path: &Path) -> String {
     let stem = |path: &Path| Some(path.file_stem()?.to_str()?.to_owned());
-    let entries = fs::read_dir(scenes).into_iter().flatten().flatten();
-    let mut names: Vec<_> = entries.filter_map(|entry| stem(&entry.path())).collect();
-    names.sort();
+    let scenes = all_scenes().unwrap_or_default();
+    let names: Vec<_> = scenes.iter().filter_map(|path| stem(path)).collect();
     let wanted = stem(path).unwrap_or_default();
     match scene_file::nearest(&wanted, names.iter().map(String::as_str)) {
         Some(name) => format!("\n  help: did you mean `scenes/{name}.toml`?"),

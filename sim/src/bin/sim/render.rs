@@ -7,7 +7,7 @@ use whitted_sim::scene_file::Buffer;
 use whitted_sim::{png16, render as library};
 
 use crate::args::{Format, Render};
-use crate::draw::{Drawing, draw};
+use crate::draw::draw;
 use crate::linear::linear;
 use crate::open::Scene;
 use crate::outcome::Outcome;
@@ -19,9 +19,8 @@ pub(crate) fn default_scene() -> Outcome {
     let mut buffer = Box::new(Buffer::new());
     let prepared = scene.prepare(&mut buffer)?;
     let drawing = draw(&prepared, Size::new(320, 240), Format::default())?;
-    save(&drawing, Path::new("whitted.png"))?;
     terminal::show(&drawing.image)?;
-    report::wrote(Path::new("whitted.png"));
+    report::save(&drawing.image, Path::new("whitted.png"))?;
     Ok(())
 }
 
@@ -45,8 +44,7 @@ pub(crate) fn render(options: &Render) -> Outcome {
         library::checksum(&linear.picture)
     } else {
         let drawing = draw(&prepared, size, options.format)?;
-        save(&drawing, &output)?;
-        report::wrote(&output);
+        report::save(&drawing.image, &output)?;
         if !options.stats {
             return Ok(());
         }
@@ -56,11 +54,6 @@ pub(crate) fn render(options: &Render) -> Outcome {
     };
     report::checksum(checksum);
     Ok(())
-}
-
-fn save(drawing: &Drawing, path: &Path) -> Outcome {
-    let saved = drawing.image.save_png(path);
-    saved.map_err(|error| format!("{}: cannot be written: {error}", path.display()).into())
 }
 
 /// A PNG in the current directory.

@@ -1,12 +1,25 @@
 use std::path::Path;
 use std::time::Duration;
 
+use embedded_graphics::pixelcolor::Rgb888;
+use embedded_graphics_simulator::OutputImage;
 use whitted::Stats;
+
+use crate::outcome::Outcome;
 
 /// Says where a picture was written.
 pub(crate) fn wrote(path: &Path) {
     let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
     println!("wrote {}", path.display());
+}
+
+/// Writes a display's picture as a PNG, and says where.
+pub(crate) fn save(image: &OutputImage<Rgb888>, path: &Path) -> Outcome {
+    image
+        .save_png(path)
+        .map_err(|error| format!("{}: cannot be written: {error}", path.display()))?;
+    wrote(path);
+    Ok(())
 }
 
 /// Prints what a rendering took.

@@ -1,0 +1,92 @@
+//! `sim gallery`: many scenes, a page of them, and a sheet of thumbnails.
+
+mod page;
+mod sheet;
+mod thumbnail;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use embedded_graphics::geometry::Size;
+use whitted::Stats;
+use whitted_sim::scene_file::Buffer;
+
+use crate::args::{Format, Gallery};
+use crate::draw::{Drawing, draw};
+use crate::open::{Scene, all_scenes};
+use crate::outcome::Outcome;
+use crate::report;
+use page::Entry;
+use sheet::Sheet;
+
+/// Renders scenes into a directory.
+pub(crate) fn gallery(options: &Gallery) -> Outcome {
+    let Gallery {
+        scenes,
+        output,
+        size,
+    } = options;
+    let scenes = match scenes[..] {
+        [] => &all_scenes()?,
+        _ => scenes,
+    };
+    let names = names(scenes)?;
+    fs::create_dir_all(output)
+        .map_err(|error| format!("{}: cannot be made: {error}", output.display()))?;
+    let mut sheet = Sheet::new(scenes.len(), *size);
+    let mut entries = Vec::new();
+    for (path, name) in scenes.iter().zip(names) {
+        let scene = Scene::open(path)?;
+        let drawing = render(&scene, *size)?;
+        let file = format!("{name}.png");
+        report::save(&drawing.image, &output.join(&file))?;
+        sheet.add(&drawing.image)?;
+        entries.push(Entry {
+            title: scene.title().unwrap_or(&name).to_owned(),
+            file,
+            rays: rays(&drawing.stats),
+        });
+    }
+    report::save(&sheet.image(), &output.join(sheet::FILE))?;
+    let index = output.join("index.html");
+    fs::write(&index, page::page(&entries, *size))
+        .map_err(|error| format!("{}: cannot be written: {error}", index.display()))?;
+    report::wrote(&index);
+    Ok(())
+}
+
+fn render(scene: &Scene, size: Size) -> Outcome<Drawing> {
+    let mut buffer = Box::new(Buffer::new());
+    let prepared = scene.prepare(&mut buffer)?;
+    draw(&prepared, size, Format::default())
+}
+
+fn rays(stats: &Stats) -> u64 {
+    let Stats {
+        eye,
+        reflected,
+        transmitted,
+        shadow,
+        ..
+    } = *stats;
+    [eye, reflected, transmitted, shadow]
+        .map(u64::from)
+        .iter()
+        .sum()
+}
+
+/// What the scenes' pictures are called; no two may be called the same.
+fn names(scenes: &[PathBuf]) -> Outcome<Vec<String>> {
+    let mut names = Vec::new();
+    for path in scenes {
+        let stem = path.file_stem().unwrap_or(path.as_os_str());
+        let name = stem.to_string_lossy().into_owned();
+        if names.contains(&name) || Path::new(sheet::FILE).file_stem() == Some(stem) {
+            let help = "leave it out, or give its file another name";
+            let reason = format!("there is another picture `{name}.png`");
+            return Err(format!("{}: {reason}\n  help: {help}", path.display()).into());
+        }
+        names.push(name);
+    }
+    Ok(names)
+}

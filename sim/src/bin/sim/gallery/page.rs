@@ -1,0 +1,93 @@
+use std::fmt::Write;
+
+use embedded_graphics::geometry::Size;
+
+/// A picture on the page.
+pub(super) struct Entry {
+    pub(super) title: String,
+    /// Beside the page.
+    pub(super) file: String,
+    pub(super) rays: u64,
+}
+
+const HEAD: &str = r#"<!DOCTYPE html>
+<html lang="en">
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>Gallery</title>
+<style>
+  :root { color-scheme: light dark; }
+  body { margin: 1.5rem; font: 1rem/1.4 system-ui, sans-serif; }
+  main { display: grid; gap: 1.5rem; grid-template-columns: repeat(auto-fill, minmax(min(20rem, 100%), 1fr)); }
+  figure { margin: 0; }
+  img { display: block; width: 100%; height: auto; }
+  figcaption { margin-top: 0.5rem; }
+  small { display: block; opacity: 0.75; }
+</style>
+<main>
+"#;
+
+/// The page, which needs nothing but the pictures.
+pub(super) fn page(entries: &[Entry], Size { width, height }: Size) -> String {
+    let mut page = HEAD.to_owned();
+    for Entry { title, file, rays } in entries {
+        let (title, link, file) = (escaped(title), encoded(file), escaped(file));
+        let rays = grouped(*rays);
+        // Writing to a string does not fail.
+        let _ = write!(
+            page,
+            r#"<figure>
+  <a href="{link}"><img src="{link}" width="{width}" height="{height}" alt="{title}"></a>
+  <figcaption>{title}
+    <small>{width}x{height}, {rays} rays, <a href="{link}">{file}</a></small></figcaption>
+</figure>
+"#
+        );
+    }
+    page.push_str("</main>\n</html>\n");
+    page
+}
+
+/// Text as HTML.
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
+        .replace('"', "&quot;")
+}
+
+/// A file name as a relative URL.
+fn encoded(name: &str) -> String {
+    name.bytes().fold(String::new(), |mut url, byte| {
+        if byte.is_ascii_alphanumeric() || b"-._~".contains(&byte) {
+            url.push(byte.into());
+        } else {
+            let _ = write!(url, "%{byte:02X}");
+        }
+        url
+    })
+}
+
+/// A number with its thousands set apart.
+fn grouped(number: u64) -> String {
+    let digits = number.to_string();
+    let groups: Vec<_> = digits.as_bytes().rchunks(3).rev().collect();
+    String::from_utf8_lossy(&groups.join(&b',')).into_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_cannot_break_the_page() {
+        assert_eq!(escaped(r#"<"&">"#), "&lt;&quot;&amp;&quot;&gt;");
+        assert_eq!(encoded("a b#ö.png"), "a%20b%23%C3%B6.png");
+    }
+
+    #[test]
+    fn thousands_are_set_apart() {
+        let numbers = [0, 999, 1000, 1_234_567].map(grouped);
+        assert_eq!(numbers, ["0", "999", "1,000", "1,234,567"]);
+    }
+}
