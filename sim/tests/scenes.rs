@@ -40,7 +40,7 @@ fn every_scene_can_be_rendered() -> Result<(), Box<dyn Error>> {
         assert!(file.title.is_some(), "{file:?}");
         count += 1;
     }
-    assert!(count >= 23);
+    assert!(count >= 24);
     Ok(())
 }
 
