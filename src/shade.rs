@@ -198,11 +198,11 @@ impl<'s> Surface<'s> {
         }
     }
 
-    /// `V - 2 n (n·V)`.
+    /// `V - 2 n (n·V)`, of which the second term may be 2 long.
     #[inline]
     fn mirrored(&self, view: Vec3<Unit>) -> Vec3<Unit> {
         view.zip(self.normal, |v, n| {
-            v + round_unit(n.wide_mul(self.cosine).to_bits(), 29)
+            v.wrapping_add(round_unit(n.wide_mul(self.cosine).to_bits(), 29))
         })
         .renormalized()
     }

@@ -145,22 +145,20 @@ impl Sphereflake {
         from: Option<StartSphere>,
         limit: Length,
     ) -> Option<Meeting> {
-        if let Some(StartSphere { path, inward: true }) = from {
-            return self.across(ray, path);
-        }
-        let mut nearest = None;
         let mut reach = i64::from(limit.to_bits()) << 28;
+        let mut nearest = None;
+        if let Some(StartSphere { path, inward: true }) = from {
+            let across = self.across(ray, path).filter(|it| it.distance < reach);
+            reach = across.map_or(reach, |it| it.distance);
+            nearest = across;
+        }
         self.walk(ray, reach, &mut |chord| {
-            // What starts on one sphere is outside of all others.
-            let distance = if chord.entry > 0 {
-                chord.entry
-            } else if from.is_none() {
-                chord.exit
-            } else {
-                return reach;
-            };
-            let is_start = from.is_some_and(|from| from.path == chord.path);
-            if (1..reach).contains(&distance) && !is_start {
+            let ends = [chord.entry, chord.exit];
+            let distance = ends.into_iter().find(|distance| *distance > 0);
+            if let Some(distance) = distance
+                && distance < reach
+                && from.is_none_or(|from| from.path != chord.path)
+            {
                 reach = distance;
                 nearest = Some(Meeting {
                     distance,
@@ -173,8 +171,8 @@ impl Sphereflake {
         nearest
     }
 
-    /// StartSphere a point on a sphere through its inside to the other end of the
-    /// chord.
+    /// From a point on a sphere through its inside to the other end of the
+    /// chord, which is a point where the ray grazes the sphere.
     #[cold]
     fn across(&self, ray: &Ray, path: Path) -> Option<Meeting> {
         let mut node = Node::largest(self, ray)?;
@@ -183,11 +181,10 @@ impl Sphereflake {
             node = node.child(self, left & 15);
             left >>= 4;
         }
-        let chord = node.chord(path)?;
         Some(Meeting {
             distance: (2 * node.distance()).max(0),
             path,
-            normal: chord.normal(true),
+            normal: node.chord_or_foot(path).normal(true),
         })
     }
 

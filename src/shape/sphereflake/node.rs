@@ -127,17 +127,27 @@ impl Node {
     #[inline]
     pub(super) fn chord(&self, path: Path) -> Option<Chord> {
         let rest = (1_u64 << 56).checked_sub(self.squared())?;
+        Some(self.chord_of(path, rest))
+    }
+
+    /// The same; where the line passes by, the foot alone.
+    pub(super) fn chord_or_foot(&self, path: Path) -> Chord {
+        self.chord_of(path, (1_u64 << 56).saturating_sub(self.squared()))
+    }
+
+    #[inline(always)]
+    fn chord_of(&self, path: Path, rest: u64) -> Chord {
         // Q58 -> Q29
         let half = Radii::from_bits(square_root(rest << 2) as i32);
         let length = scaled(half, self.radius);
-        Some(Chord {
+        Chord {
             path,
             entry: self.distance - length,
             exit: self.distance + length,
             half,
             foot: self.foot,
             direction: self.direction,
-        })
+        }
     }
 
     /// From the ray's origin to a child's foot, which is so many radii (Q30)
