@@ -89,6 +89,31 @@ pub(crate) fn encode(scene: &PreparedScene<'_>, out: &mut [u8]) -> Option<usize>
     Some(length)
 }
 
+/// How many objects, lights and materials a compiled scene says it has: the
+/// capacities of the [`SceneBuffer`](crate::SceneBuffer) that just fits it.
+///
+/// All are 0 of bytes too short to say; nothing else is checked here.
+///
+/// ```
+/// use whitted::{SceneBuffer, counts};
+///
+/// static SCENE: &[u8] = b"WHTD\x01\x05\0\x01\0\x03\0"; // include_bytes!("scene.bin")
+/// const COUNTS: [usize; 3] = counts(SCENE);
+/// let buffer = SceneBuffer::<{ COUNTS[0] }, { COUNTS[1] }, { COUNTS[2] }>::new();
+/// # let _ = buffer;
+/// assert_eq!(COUNTS, [5, 1, 3]);
+/// ```
+pub const fn counts(compiled: &[u8]) -> [usize; 3] {
+    match compiled {
+        [_, _, _, _, _, o0, o1, l0, l1, m0, m1, ..] => [
+            u16::from_le_bytes([*o0, *o1]) as usize,
+            u16::from_le_bytes([*l0, *l1]) as usize,
+            u16::from_le_bytes([*m0, *m1]) as usize,
+        ],
+        _ => [0; 3],
+    }
+}
+
 fn checksum_of(bytes: &[u8]) -> u32 {
     let mut crc = Crc32::new();
     crc.update(bytes);

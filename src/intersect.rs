@@ -41,19 +41,18 @@ struct Nearest {
 
 impl Nearest {
     fn hit(&self, objects: &[Object], ray: &Ray) -> Hit {
-        if let Some(meeting) = &self.meeting
-            && let Some(Object {
-                shape: Shape::Sphereflake(flake),
-                ..
-            }) = objects.get(usize::from(self.object))
-        {
-            return Hit {
-                object: self.object,
-                point: ray.at_fine(meeting.exact()),
-                part: Some((meeting.path(), flake.normal(meeting))),
+        let part = self.meeting.as_ref().and_then(|meeting| {
+            let object = objects.get(usize::from(self.object))?;
+            let Shape::Sphereflake(flake) = &object.shape else {
+                return None;
             };
+            Some((meeting.path, flake.normal(meeting)))
+        });
+        Hit {
+            object: self.object,
+            point: ray.at(self.distance),
+            part,
         }
-        Hit::new(self.object, ray.at(self.distance))
     }
 }
 

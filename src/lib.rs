@@ -35,6 +35,7 @@
 //! `pixel`, `renderer`. `num` has the formats, docs/fixed-point.md why they are
 //! so.
 
+mod budget;
 mod buffer;
 mod camera;
 mod checksum;
@@ -44,6 +45,7 @@ mod error;
 mod intersect;
 mod num;
 mod observer;
+mod optics;
 mod pixel;
 mod prepare;
 mod prepared;
@@ -59,6 +61,7 @@ mod vector;
 pub use buffer::SceneBuffer;
 pub use checksum::Crc32;
 pub use color::Color;
+pub use compiled::counts;
 pub use error::{DecodeError, Item, Problem, SceneError};
 pub use num::{Radiance, Real};
 pub use observer::{Node, Observer, RayKind, Stats};

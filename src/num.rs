@@ -330,53 +330,83 @@ mod tests {
         edges.chain(segments).chain(random)
     }
 
+    /// Prints the largest error as a share of its bound, and checks it.
+    fn hold(what: &str, shares: impl Iterator<Item = f64>) {
+        let largest = shares.map(f64::abs).fold(0.0, f64::max);
+        std::println!("{what}: {largest:.2} of the bound");
+        assert!(largest < 1.0, "{what}: {largest}");
+    }
+
     #[test]
     fn reciprocals_hold_their_bound() {
-        for word in words() {
+        let share = |word| {
             let x = word | 1 << 31;
             let exact = 2_f64.powi(63) / f64::from(x);
-            let error = (f64::from(reciprocal(x)) - exact) / exact;
-            assert!(error.abs() < 2_f64.powi(-30), "{x:#x}: {error:e}");
-        }
+            (f64::from(reciprocal(x)) - exact) / exact * 2_f64.powi(30)
+        };
+        hold("reciprocal", words().map(share));
     }
 
     #[test]
     fn reciprocal_roots_hold_their_bound() {
-        for word in words() {
-            for x in [word | 1 << 31, word >> 1 | 1 << 30] {
-                let exact = 2_f64.powi(31) / (f64::from(x) / 2_f64.powi(32)).sqrt();
-                let error = (f64::from(reciprocal_root(x)) - exact) / exact;
-                assert!(error.abs() < 2_f64.powi(-30), "{x:#x}: {error:e}");
-            }
-        }
+        let share = |x| {
+            let exact = 2_f64.powi(31) / (f64::from(x) / 2_f64.powi(32)).sqrt();
+            (f64::from(reciprocal_root(x)) - exact) / exact * 2_f64.powi(30)
+        };
+        let both = words().flat_map(|word| [word | 1 << 31, word >> 1 | 1 << 30]);
+        hold("reciprocal root", both.map(share));
     }
 
     #[test]
     fn square_roots_hold_their_bound() {
-        for (high, low) in words().zip(words().skip(1)) {
+        let pairs = words().zip(words().skip(1));
+        let numbers = pairs.flat_map(|(high, low)| {
             let x = u64::from(high) << 32 | u64::from(low);
-            for x in [x, x >> 17, x >> 32, x >> 60] {
-                let exact = (x as f64).sqrt();
-                let error = (f64::from(square_root(x)) - exact).abs();
-                assert!(error <= 0.5 + exact * 2_f64.powi(-29), "{x}: {error:e}");
-            }
-        }
+            [x, x >> 17, x >> 32, x >> 60]
+        });
+        let share = |x| {
+            let exact = (x as f64).sqrt();
+            let error = f64::from(square_root(x)) - exact;
+            error / (0.5 + exact * 2_f64.powi(-29))
+        };
+        hold("square root", numbers.map(share));
     }
 
     #[test]
     fn powers_hold_their_bound() {
-        for (base, exponent) in words().zip(words().skip(7)).take(100_000) {
-            let base = base >> 1;
+        let cases = words().zip(words().skip(7)).take(100_000);
+        let cases = cases.flat_map(|(base, exponent)| {
             let exponent = exponent | 1 << 31;
-            for exponent in [exponent >> 4, exponent >> 9, exponent >> 15, 1 << 28] {
-                let s = f64::from(exponent) / 65536.0;
-                let exact = (f64::from(base) / 2_f64.powi(31)).powf(s);
-                let error = (f64::from(power(base, exponent)) / 2_f64.powi(31) - exact).abs();
-                assert!(
-                    error < 2_f64.powi(-30) * (s + 16.0),
-                    "{base}^{s}: {error:e}"
-                );
-            }
-        }
+            [exponent >> 4, exponent >> 9, exponent >> 15, 1 << 28]
+                .map(|exponent| (base >> 1, exponent))
+        });
+        let share = |(base, exponent)| {
+            let s = f64::from(exponent) / 65536.0;
+            let exact = (f64::from(base) / 2_f64.powi(31)).powf(s);
+            let error = f64::from(power(base, exponent)) / 2_f64.powi(31) - exact;
+            error / (2_f64.powi(-30) * (s + 16.0))
+        };
+        hold("power", cases.map(share));
+    }
+
+    #[test]
+    fn quotients_and_upper_products_hold_their_bound() {
+        let numbers = || {
+            let pairs = words().zip(words().skip(3));
+            pairs.map(|(high, low)| (u64::from(high) << 32 | u64::from(low)) >> (low & 31) | 1)
+        };
+        let pairs = || numbers().zip(numbers().skip(5));
+        let value = |x: Scaled| f64::from(x.mantissa) * 2_f64.powi(x.exponent);
+        let quotients = pairs().map(|(n, d)| {
+            let exact = n as f64 / d as f64 * 2_f64.powi(30);
+            (value(quotient(n, d)) - exact) / exact * 2_f64.powi(29)
+        });
+        hold("quotient", quotients);
+        let products = pairs().map(|(a, b)| {
+            let exact = a as f64 * b as f64 * 2_f64.powi(-64);
+            let error = upper_product(a, b, 0) as f64 - exact;
+            error / (1.0 + exact * 2_f64.powi(-30))
+        });
+        hold("upper product", products);
     }
 }

@@ -6,8 +6,6 @@
 //! so that their largest coordinate still uses its bits. A ray's direction
 //! itself is only known to 2^-30, so nothing is lost by it.
 
-use fixed::types::I0F16;
-
 use crate::Vec3;
 use crate::num::{Length, Scaled, Unit};
 use crate::vector::round_length;
@@ -29,21 +27,15 @@ pub(crate) const HORIZON: i32 = 22;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Point {
     pub(crate) coordinates: Vec3<Length>,
-    /// What is to be added to them, 2^-16 of a step at least: not zero for
-    /// points of the small spheres of a sphereflake only.
-    pub(crate) fine: Vec3<I0F16>,
     /// 0 for near points.
     pub(crate) shift: u8,
 }
-
-const WHOLE: Vec3<I0F16> = Vec3::new(I0F16::ZERO, I0F16::ZERO, I0F16::ZERO);
 
 impl Point {
     #[inline(always)]
     pub(crate) const fn near(coordinates: Vec3<Length>) -> Self {
         Self {
             coordinates,
-            fine: WHOLE,
             shift: 0,
         }
     }
@@ -66,7 +58,6 @@ impl Point {
         }
         Self {
             coordinates: coordinates.map(|c| Length::from_bits(c as i32)),
-            fine: WHOLE,
             shift: shift as u8,
         }
     }
@@ -130,34 +121,6 @@ impl Ray {
         Point::near(coordinates)
     }
 
-    /// The point at a distance below 8, Q56, from a near origin; it must be
-    /// near, too. Finer than a step, where small things need it.
-    #[inline]
-    pub(crate) fn at_fine(&self, distance: i64) -> Point {
-        let Point {
-            coordinates, fine, ..
-        } = self.origin;
-        let (upper, lower) = (distance >> 28, distance & ((1 << 28) - 1));
-        // Q28 * Q30 and (Q56 * Q30) >> 28 -> Q58
-        let way = self.direction.map(|d| {
-            let d = i64::from(d.to_bits());
-            d * upper + ((d * lower) >> 28)
-        });
-        let start = coordinates.zip(fine, |c, f| {
-            (i64::from(c.to_bits()) << 30) + (i64::from(f.to_bits()) << 14)
-        });
-        let sum = start + way;
-        let coordinates = sum.map(|c| round_length(c, 30));
-        let fine = sum.zip(coordinates, |c, whole| {
-            I0F16::from_bits(((c - (i64::from(whole.to_bits()) << 30)) >> 14) as i16)
-        });
-        Point {
-            coordinates,
-            fine,
-            shift: 0,
-        }
-    }
-
     /// The point at any distance from any origin.
     #[cold]
     pub(crate) fn far_at(&self, distance: Scaled) -> Point {
@@ -186,9 +149,7 @@ impl Ray {
         const BEFORE: Length = Length::lit("1.75");
         const REACH: i64 = 2 << 58;
 
-        let Point {
-            coordinates, shift, ..
-        } = self.origin;
+        let Point { coordinates, shift } = self.origin;
         let middle = -coordinates.along(self.direction).to_bits();
         if middle <= 0 {
             return None;

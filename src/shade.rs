@@ -3,13 +3,12 @@
 //! Shading never traces: [`crate::tracer`] walks the tree of rays.
 
 use crate::intersect::{self, Hit, ShadowRay};
-use crate::num::{Factor, Length, Radiance, Unit, power, reciprocal_root, square_root};
+use crate::num::{Factor, Length, Radiance, Unit, power, reciprocal_root};
 use crate::observer::{Observer, share};
 use crate::prepared::{Light, Material, PreparedScene};
 use crate::ray::{Point, Ray, Start};
 use crate::shape::Shape;
-use crate::vector::round_unit;
-use crate::{Color, Vec3};
+use crate::{Color, Vec3, optics};
 
 /// All that shading needs to know of a hit.
 #[derive(Clone, Copy, Debug)]
@@ -164,7 +163,10 @@ impl<'s> Surface<'s> {
     #[inline]
     pub(crate) fn bounces(&self, ray: &Ray) -> Bounces {
         let Material { kr, kt, .. } = *self.material;
-        let reflected = || self.bounce(self.mirrored(ray.direction), self.inside);
+        let reflected = || {
+            let direction = optics::mirrored(ray.direction, self.normal, self.cosine);
+            self.bounce(direction, self.inside)
+        };
         if kt.is_black() {
             let reflected = (!kr.is_black()).then(|| (reflected(), kr));
             return Bounces {
@@ -172,7 +174,16 @@ impl<'s> Surface<'s> {
                 transmitted: None,
             };
         }
-        match self.refracted(ray.direction) {
+        let refracted = if self.open {
+            Some(ray.direction)
+        } else {
+            let Material {
+                ior, inverse_ior, ..
+            } = *self.material;
+            let eta = if self.inside { ior } else { inverse_ior };
+            optics::refracted(ray.direction, self.normal, self.cosine, eta)
+        };
+        match refracted {
             Some(direction) => Bounces {
                 reflected: (!kr.is_black()).then(|| (reflected(), kr)),
                 transmitted: Some((self.bounce(direction, !self.inside), kt)),
@@ -196,44 +207,6 @@ impl<'s> Surface<'s> {
                 inward,
             },
         }
-    }
-
-    /// `V - 2 n (n·V)`, of which the second term may be 2 long.
-    #[inline]
-    fn mirrored(&self, view: Vec3<Unit>) -> Vec3<Unit> {
-        view.zip(self.normal, |v, n| {
-            v.wrapping_add(round_unit(n.wide_mul(self.cosine).to_bits(), 29))
-        })
-        .renormalized()
-    }
-
-    /// `η V + (η c - sqrt(k)) n` with `k = 1 - η² (1 - c²)`; `None` if k < 0.
-    #[inline]
-    fn refracted(&self, view: Vec3<Unit>) -> Option<Vec3<Unit>> {
-        if self.open {
-            return Some(view);
-        }
-        let eta = if self.inside {
-            self.material.ior
-        } else {
-            self.material.inverse_ior
-        };
-        // sin² = 1 - c²: Q60 -> U0F32; η²: I8F56 -> U5F27; their product: Q59
-        let sine_squared = ((1 << 60) - self.cosine.wide_mul(self.cosine).to_bits()).max(0) >> 28;
-        let sine_squared = sine_squared.min(i64::from(u32::MAX)) as u64;
-        let eta_squared = (eta.wide_mul(eta).to_bits() >> 29) as u64;
-        let k = (1 << 59) - (sine_squared * eta_squared) as i64;
-        if k < 0 {
-            return None;
-        }
-        // Q59 -> Q56, whose root is in Q28; η c: I4F28 * I2F30 -> Q28
-        let root = i64::from(square_root((k >> 3) as u64));
-        let along = ((eta.wide_mul(self.cosine).to_bits() + (1 << 29)) >> 30) - root;
-        let direction = view.zip(self.normal, |v, n| {
-            let sum = eta.wide_mul(v).to_bits() + along * i64::from(n.to_bits());
-            round_unit(sum, 28)
-        });
-        Some(direction.renormalized())
     }
 }
 

@@ -213,7 +213,7 @@ fn a_gallery_shows_scenes() -> Outcome {
     );
 
     let sheet = png16::read(out.join("contact-sheet.png"))?;
-    assert_eq!((sheet.width, sheet.height), (2 * 192 + 3 * 8, 144 + 2 * 8));
+    assert_eq!((sheet.width, sheet.height), (2 * 160 + 3 * 8, 120 + 2 * 8));
     let at = |x: usize, y: usize| sheet.pixels[y * sheet.width as usize + x];
     let (red, green) = (Color::new(0xffff, 0, 0), Color::new(0, 0xffff, 0));
     assert_eq!(

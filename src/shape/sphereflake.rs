@@ -6,76 +6,32 @@
 //! exact as the largest, and memory grows with the depth alone.
 
 mod direction;
+mod flake;
+mod level;
 mod node;
 
-use fixed::types::{I3F29, U0F32, U4F28};
+pub(crate) use flake::{MAX_DEPTH, Parts, Path, Sphereflake};
+
 use heapless::Vec;
 
 use crate::Vec3;
-use crate::num::{Length, Unit, reciprocal};
+use crate::num::{Length, Unit};
 use crate::ray::Ray;
 use crate::vector::round_unit;
-use node::{Chord, Level, Node};
-
-/// A length in radii of a sphere: ±4 in steps of 2^-29.
-pub(crate) type Radii = I3F29;
-
-/// The most generations of smaller spheres.
-pub(crate) const MAX_DEPTH: u8 = 8;
-
-/// A sphere of the flake: for each generation, from the first, four bits that
-/// tell the child, 1 to 12. The largest sphere is 0.
-pub(crate) type Path = u32;
-
-/// What a sphereflake is made of.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Parts {
-    pub(crate) center: Vec3<Length>,
-    /// The directions u and v of the largest sphere; w is their cross product.
-    pub(crate) frame: [Vec3<Unit>; 2],
-    /// Such that all of it is within ±1.
-    pub(crate) radius: U0F32,
-    /// 0.1 to 0.5.
-    pub(crate) ratio: U0F32,
-    /// Up to [`MAX_DEPTH`].
-    pub(crate) depth: u8,
-}
-
-/// A sphereflake.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Sphereflake {
-    center: Vec3<Length>,
-    frame: [Vec3<Unit>; 2],
-    radius: U0F32,
-    /// `1 / (radius * 2^n)`, with n such that the quotient is 1 to 2: `U1F31`.
-    inverse_radius: u32,
-    ratio: U0F32,
-    inverse_ratio: U4F28,
-    /// All of it is within so many radii.
-    bound: Radii,
-    depth: u8,
-}
+use level::Level;
+use node::{Chord, Node};
 
 /// Where a ray meets the flake first.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Meeting {
     /// Q56.
     distance: i64,
-    path: Path,
+    pub(crate) path: Path,
     /// Outward, in the frame of the sphere.
     normal: Vec3<Unit>,
 }
 
 impl Meeting {
-    /// Q56.
-    pub(crate) fn exact(&self) -> i64 {
-        self.distance
-    }
-
-    pub(crate) fn path(&self) -> Path {
-        self.path
-    }
-
     /// Rounded, and above 0.
     pub(crate) fn distance(&self) -> Length {
         Length::from_bits(((self.distance + (1 << 27)) >> 28).max(1) as i32)
@@ -91,53 +47,6 @@ pub(crate) struct StartSphere {
 }
 
 impl Sphereflake {
-    pub(crate) fn new(parts: Parts) -> Self {
-        let Parts {
-            center,
-            frame,
-            radius,
-            ratio,
-            depth,
-        } = parts;
-        let mantissa = |x: U0F32| x.to_bits().wrapping_shl(x.leading_zeros()) | 1 << 31;
-        let inverse = |x| reciprocal(mantissa(x));
-        // U1F31 * 2^(n - 3) -> U4F28
-        let inverse_ratio = inverse(ratio) >> (3 - ratio.leading_zeros().min(3));
-        Self {
-            center,
-            frame,
-            radius,
-            inverse_radius: inverse(radius),
-            ratio,
-            inverse_ratio: U4F28::from_bits(inverse_ratio),
-            bound: Self::bound(ratio, depth),
-            depth,
-        }
-    }
-
-    /// What it was made of.
-    pub(crate) fn parts(&self) -> Parts {
-        Parts {
-            center: self.center,
-            frame: self.frame,
-            radius: self.radius,
-            ratio: self.ratio,
-            depth: self.depth,
-        }
-    }
-
-    /// How far a flake reaches, in radii, rounded up: a child's center is `1 +
-    /// ratio` away, and its own children reach so far in its radii.
-    pub(crate) fn bound(ratio: U0F32, depth: u8) -> Radii {
-        let ratio = u64::from(ratio.to_bits());
-        let one = 1_u64 << 28;
-        // U4F28
-        let bound = (0..depth).fold(one, |bound, _| {
-            one + (ratio >> 4) + ((ratio * bound) >> 32) + 2
-        });
-        Radii::from_bits((bound as i32 + 1) << 1)
-    }
-
     /// The nearest hit ahead, if it is below `limit`.
     pub(crate) fn nearest(
         &self,
@@ -182,7 +91,7 @@ impl Sphereflake {
             left >>= 4;
         }
         Some(Meeting {
-            distance: (2 * node.distance()).max(0),
+            distance: (2 * node.distance).max(0),
             path,
             normal: node.chord_or_foot(path).normal(true),
         })
@@ -234,20 +143,6 @@ impl Sphereflake {
             along(u.z, v.z, w.z),
         )
         .renormalized()
-    }
-
-    /// u, v and w of the largest sphere.
-    fn axes(&self) -> [Vec3<Unit>; 3] {
-        let [u, v] = self.frame;
-        let minor = |p: Unit, q: Unit, r: Unit, s: Unit| {
-            round_unit((p.wide_mul(q) - r.wide_mul(s)).to_bits(), 30)
-        };
-        let w = Vec3::new(
-            minor(u.y, v.z, u.z, v.y),
-            minor(u.z, v.x, u.x, v.z),
-            minor(u.x, v.y, u.y, v.x),
-        );
-        [u, v, w]
     }
 
     /// Visits the spheres that the line of a ray passes through ahead of it,

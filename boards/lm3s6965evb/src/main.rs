@@ -25,11 +25,13 @@ use page::Page;
 
 /// The scene, compiled.
 static SCENE: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/scene.bin"));
+const COUNTS: [usize; 3] = whitted::counts(SCENE);
 
 #[entry]
 fn main() -> ! {
-    // Room for a scene, and the display driver's copy of its pixels.
-    static mut BUFFER: SceneBuffer<16, 4, 16> = SceneBuffer::new();
+    // Room for the scene, and the display driver's copy of its pixels.
+    static mut BUFFER: SceneBuffer<{ COUNTS[0] }, { COUNTS[1] }, { COUNTS[2] }> =
+        SceneBuffer::new();
     static mut PIXELS: ssd0323::Pixels = ssd0323::BLACK;
 
     let Board {

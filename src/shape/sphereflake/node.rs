@@ -1,27 +1,24 @@
-use core::mem::swap;
-
 use fixed::types::U0F32;
-use heapless::Vec;
 
 use crate::Vec3;
 use crate::num::{Unit, square_root, wide};
 use crate::ray::Ray;
 use crate::vector::round_unit;
 
-use super::direction::{ASIDE, ELEVATION, EQUATOR, axis, inward};
-use super::{Path, Radii, Sphereflake};
+use super::direction::{axis, inward};
+use super::flake::{Path, Radii, Sphereflake};
 
 /// A ray as a sphere of the flake sees it: in the sphere's frame and its radii.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Node {
     /// The point of the ray's line that is nearest to the center.
-    foot: Vec3<Radii>,
-    direction: Vec3<Unit>,
+    pub(super) foot: Vec3<Radii>,
+    pub(super) direction: Vec3<Unit>,
     /// From the ray's origin to the foot, Q56 of the scene.
-    distance: i64,
-    radius: U0F32,
+    pub(super) distance: i64,
+    pub(super) radius: U0F32,
     /// The sphere and all that follows from it is within so many radii.
-    bound: Radii,
+    pub(super) bound: Radii,
 }
 
 /// The part of a ray's line within a sphere.
@@ -51,7 +48,7 @@ impl Chord {
 
 /// A length in radii as Q56 of the scene: `Q29 * Q32 -> Q61 -> Q56`.
 #[inline(always)]
-fn scaled(radii: Radii, radius: U0F32) -> i64 {
+pub(super) fn scaled(radii: Radii, radius: U0F32) -> i64 {
     (i64::from(radii.to_bits()) * i64::from(radius.to_bits())) >> 5
 }
 
@@ -61,17 +58,13 @@ impl Node {
     pub(super) fn largest(flake: &Sphereflake, ray: &Ray) -> Option<Self> {
         let d = ray.direction;
         let offset = ray.origin.coordinates - flake.center;
-        let fine = ray.origin.fine.map(|c| i64::from(c.to_bits()));
-        let finer = fine.zip(d, |f, d| f * i64::from(d.to_bits()));
-        // Q28 * Q30 and Q44 * Q30 -> Q58 -> Q28. What is rounded away moves the
-        // foot along the ray, where it does no harm.
-        let along = offset.along(d).to_bits() + ((finer.x + finer.y + finer.z) >> 16);
-        let distance = -((along + (1 << 29)) >> 30);
-        // Q58, exact but for the finer part's last bits.
+        // What is rounded away moves the foot along the ray, where it does no
+        // harm: Q28 * Q30 -> Q58 -> Q28.
+        let distance = -((offset.along(d).to_bits() + (1 << 29)) >> 30);
+        // Q58, exact.
         let foot = offset.zip(d, |o, d| {
             (i64::from(o.to_bits()) << 30) + i64::from(d.to_bits()) * distance
         });
-        let foot = foot.zip(fine, |c, f| c + (f << 14));
         let most = scaled(flake.bound, flake.radius) << 2;
         if !foot.all(|c| (-most..=most).contains(&c)) {
             return None;
@@ -104,14 +97,9 @@ impl Node {
         })
     }
 
-    /// From the ray's origin to the foot, Q56.
-    pub(super) fn distance(&self) -> i64 {
-        self.distance
-    }
-
     /// The square of the foot's distance, Q56 of square radii.
     #[inline(always)]
-    fn squared(&self) -> u64 {
+    pub(super) fn squared(&self) -> u64 {
         let square = self.foot.map(|c| c.wide_mul(c).to_bits() as u64 >> 2);
         square.x + square.y + square.z
     }
@@ -153,14 +141,14 @@ impl Node {
     /// From the ray's origin to a child's foot, which is so many radii (Q30)
     /// farther: `Q30 * Q32 -> Q62 -> Q56`.
     #[inline(always)]
-    fn foot_of(&self, farther: i32) -> i64 {
+    pub(super) fn foot_of(&self, farther: i32) -> i64 {
         self.distance + ((i64::from(farther) * i64::from(self.radius.to_bits())) >> 6)
     }
 
     /// How far from a child's center all that follows from it reaches, in the
     /// radii of the parent, rounded up.
     #[inline(always)]
-    fn child_bound(&self, flake: &Sphereflake) -> Radii {
+    pub(super) fn child_bound(&self, flake: &Sphereflake) -> Radii {
         Radii::from_bits(self.bound.to_bits() - (flake.step().to_bits() >> 1) + 1)
     }
 
@@ -194,106 +182,5 @@ impl Node {
                 ((i64::from(self.child_bound(flake).to_bits()) * inverse) >> 28) as i32 + 1,
             ),
         }
-    }
-}
-
-/// A sphere on the way down, and its children that are still to be visited.
-#[derive(Clone, Debug)]
-pub(super) struct Level {
-    node: Node,
-    /// The nearest last. The upper 28 bits are how much farther the child's
-    /// foot is, Q30 in radii, the lower four tell the child.
-    children: Vec<i32, 12>,
-}
-
-impl Level {
-    /// Finds the children whose bound the ray passes through within reach.
-    ///
-    /// With child direction a, `step = 1 + ratio` and `b = step d·a`, the
-    /// child's foot has the square `l² + step² - 2 step l·a - b²`. Children are
-    /// six pairs of opposites, and the dot products share their terms.
-    #[inline]
-    pub(super) fn new(flake: &Sphereflake, node: Node, reach: i64) -> Self {
-        let step = flake.step();
-        let child_bound = node.child_bound(flake);
-        // Q56 -> Q27; a margin of what all roundings can do.
-        let squares = (node.squared() as i64) + (step.wide_mul(step).to_bits() >> 4)
-            - (child_bound.wide_mul(child_bound).to_bits() >> 2);
-        let threshold = (squares >> 29) as i32 - 16;
-        let farther = flake.dots(node.direction.map(Unit::to_bits), 30);
-        // Q29 -> Q28, and so twice of it in Q27.
-        let nearer = flake.dots(node.foot.map(Radii::to_bits), 31);
-        let bound = scaled(child_bound, node.radius);
-        let mut children = Vec::new();
-        for (pair, (farther, nearer)) in (1..).zip(farther.into_iter().zip(nearer)) {
-            // Q60 -> Q27
-            let square = ((i64::from(farther) * i64::from(farther)) >> 33) as i32;
-            for (child, farther, nearer) in [(pair, farther, nearer), (pair + 6, -farther, -nearer)]
-            {
-                if square + nearer < threshold {
-                    continue;
-                }
-                let distance = node.foot_of(farther);
-                if distance + bound <= 0 || distance - bound >= reach {
-                    continue;
-                }
-                insert(&mut children, farther & !15 | child);
-            }
-        }
-        Self { node, children }
-    }
-
-    pub(super) fn node(&self) -> &Node {
-        &self.node
-    }
-
-    /// The nearest child that is left; none if all are out of reach.
-    #[inline]
-    pub(super) fn next(&mut self, flake: &Sphereflake, reach: i64) -> Option<u32> {
-        let child = self.children.pop()?;
-        let bound = scaled(self.node.child_bound(flake), self.node.radius);
-        (self.node.foot_of(child & !15) - bound < reach).then_some((child & 15) as u32)
-    }
-}
-
-/// Keeps the list in falling order. There is room for all twelve.
-#[inline]
-fn insert(children: &mut Vec<i32, 12>, child: i32) {
-    let mut lower = child;
-    for slot in children.iter_mut() {
-        if *slot < lower {
-            swap(slot, &mut lower);
-        }
-    }
-    let _ = children.push(lower);
-}
-
-impl Sphereflake {
-    /// From a sphere's center to a child's, in radii: 1.1 to 1.5.
-    #[inline(always)]
-    fn step(&self) -> Unit {
-        Unit::from_bits((1 << 30) + (self.ratio.to_bits() >> 2) as i32)
-    }
-
-    /// `step` times the dot products with the first six directions, of which
-    /// the others are the opposites; shifted right.
-    #[inline]
-    fn dots(&self, v: Vec3<i32>, shift: u32) -> [i32; 6] {
-        let step = self.step();
-        let part = |c: i32, k: Unit| {
-            let k = (step.wide_mul(k).to_bits() >> 30) as i32;
-            ((i64::from(c) * i64::from(k)) >> shift) as i32
-        };
-        let x = part(v.x, Unit::ONE);
-        let half = x >> 1;
-        let (equator, aside, up) = (part(v.y, EQUATOR), part(v.y, ASIDE), part(v.z, ELEVATION));
-        [
-            x,
-            half + equator,
-            equator - half,
-            half + aside + up,
-            aside + up - half,
-            up - 2 * aside,
-        ]
     }
 }

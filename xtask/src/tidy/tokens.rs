@@ -59,11 +59,14 @@ fn flatten(stream: TokenStream, tokens: &mut Vec<Token>) {
         match tree {
             TokenTree::Punct(mark) if mark.as_char() == '#' => {
                 // The ! of an attribute of the whole file.
-                trees.next_if(
+                let whole = trees.next_if(
                     |next| matches!(next, TokenTree::Punct(mark) if mark.as_char() == '!'),
                 );
                 let attribute = trees.next();
                 if attribute.is_some_and(|tree| is_test(&tree)) {
+                    if whole.is_some() {
+                        return;
+                    }
                     // An item ends with its body, or with a semicolon.
                     trees.by_ref().find(|tree| match tree {
                         TokenTree::Group(group) => group.delimiter() == Delimiter::Brace,
@@ -109,6 +112,17 @@ fn brackets(group: &Group) -> [&'static str; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_file_of_tests_is_left_out() -> Result<()> {
+        let text = "#![cfg(test)] fn f() {}";
+        assert!(
+            Source::parse(Path::new("src/a.rs"), text)?
+                .tokens
+                .is_empty()
+        );
+        Ok(())
+    }
 
     #[test]
     fn comments_attributes_and_tests_are_left_out() -> Result<()> {

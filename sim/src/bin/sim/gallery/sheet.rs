@@ -12,7 +12,7 @@ pub(super) const FILE: &str = "contact-sheet.png";
 
 const COLUMNS: u32 = 5;
 /// What a thumbnail fits in.
-const LARGEST: Size = Size::new(192, 144);
+const LARGEST: Size = Size::new(160, 120);
 const MARGIN: u32 = 8;
 const BETWEEN: Rgb888 = Rgb888::new(32, 32, 32);
 
@@ -77,8 +77,8 @@ mod tests {
     #[test]
     fn thumbnails_keep_their_sides() {
         assert_eq!(fitted(Size::new(320, 240)), LARGEST);
-        assert_eq!(fitted(Size::new(128, 64)), Size::new(192, 96));
-        assert_eq!(fitted(Size::new(100, 200)), Size::new(72, 144));
-        assert_eq!(fitted(Size::new(8192, 1)), Size::new(192, 1));
+        assert_eq!(fitted(Size::new(128, 64)), Size::new(160, 80));
+        assert_eq!(fitted(Size::new(100, 200)), Size::new(60, 120));
+        assert_eq!(fitted(Size::new(8192, 1)), Size::new(160, 1));
     }
 }
