@@ -53,6 +53,7 @@ mod ray;
 mod renderer;
 mod scene;
 mod shade;
+mod shadow;
 mod shape;
 mod texture;
 mod tracer;

@@ -92,6 +92,21 @@ pub(crate) struct Material {
     pub(crate) blinn: bool,
 }
 
+impl Material {
+    /// Black.
+    const NONE: Self = Self {
+        glow: Color::<Radiance>::BLACK,
+        kd: Color::<Factor>::BLACK,
+        ks: Color::<Factor>::BLACK,
+        kr: Color::<Factor>::BLACK,
+        kt: Color::<Factor>::BLACK,
+        shininess: 0,
+        ior: Length::ONE,
+        inverse_ior: Length::ONE,
+        blinn: false,
+    };
+}
+
 impl<'b> PreparedScene<'b> {
     /// Secondary generations of rays.
     pub fn max_depth(&self) -> u8 {
@@ -107,15 +122,15 @@ impl<'b> PreparedScene<'b> {
     ///
     /// Preparing and decoding see to it that there is one.
     #[inline(always)]
-    pub(crate) fn material(&self, index: u16) -> Option<&'b Material> {
-        self.materials.get(usize::from(index))
+    pub(crate) fn material(&self, index: u16) -> &'b Material {
+        static NONE: Material = Material::NONE;
+        self.materials.get(usize::from(index)).unwrap_or(&NONE)
     }
 
     /// What an object lets through at a point of its surface.
     #[inline]
     pub(crate) fn transmitted(&self, object: &Object, point: Point) -> Color<Factor> {
-        self.material(object.texture.material(point))
-            .map_or(Color::<Factor>::BLACK, |material| material.kt)
+        self.material(object.texture.material(point)).kt
     }
 }
 

@@ -2,11 +2,12 @@
 //!
 //! Shading never traces: [`crate::tracer`] walks the tree of rays.
 
-use crate::intersect::{self, Hit, ShadowRay};
+use crate::intersect::Hit;
 use crate::num::{Factor, Length, Radiance, Unit, power, reciprocal_root};
 use crate::observer::{Observer, share};
 use crate::prepared::{Light, Material, PreparedScene};
 use crate::ray::{Point, Ray, Start};
+use crate::shadow::{ShadowRay, transmittance};
 use crate::shape::Shape;
 use crate::{Color, Vec3, optics};
 
@@ -30,26 +31,31 @@ pub(crate) struct Surface<'s> {
 
 impl<'s> Surface<'s> {
     #[inline]
-    pub(crate) fn new(scene: &PreparedScene<'s>, ray: &Ray, hit: Hit) -> Option<Self> {
-        let object = scene.objects.get(usize::from(hit.object))?;
+    pub(crate) fn new(scene: &PreparedScene<'s>, ray: &Ray, hit: &Hit<'s>) -> Self {
+        let Hit {
+            object,
+            index,
+            point,
+            part,
+        } = *hit;
         let (normal, open) = match &object.shape {
-            Shape::Sphere(sphere) => (sphere.normal(hit.point.coordinates), false),
+            Shape::Sphere(sphere) => (sphere.normal(point.coordinates), false),
             Shape::Plane(plane) => (plane.normal, plane.bounds.is_some()),
-            Shape::Quadric(quadric) => (quadric.normal(hit.point), quadric.is_open()),
-            Shape::Sphereflake(_) => (hit.part?.1, false),
+            Shape::Quadric(quadric) => (quadric.normal(point), quadric.is_open()),
+            Shape::Sphereflake(_) => (part.normal, false),
         };
         let cosine = ray.direction.cosine(normal);
         let inside = cosine > Unit::ZERO;
-        Some(Self {
-            point: hit.point,
+        Self {
+            point,
             normal: if inside { -normal } else { normal },
             cosine: cosine.abs(),
-            material: scene.material(object.texture.material(hit.point))?,
-            object: hit.object,
-            part: hit.part.map_or(0, |(path, _)| path),
+            material: scene.material(object.texture.material(point)),
+            object: index,
+            part: part.path,
             inside,
             open,
-        })
+        }
     }
 
     /// The object's number.
@@ -99,7 +105,7 @@ impl<'s> Surface<'s> {
                     inward: self.inside,
                 },
             };
-            let left = intersect::transmittance(scene, &shadow, observer);
+            let left = transmittance(scene, &shadow, observer);
             observer.shadow(index, left.map(share));
             if let Some(left) = left {
                 sum = sum.plus(self.lit(light, left, ray, to_light, cosine));
@@ -159,41 +165,48 @@ impl<'s> Surface<'s> {
         Factor::from_bits(((highlight + (1 << 15)) >> 16) as u16)
     }
 
-    /// The rays that go on from here, each with the share of it that counts.
+    /// What goes on from here, and how much of it counts.
     #[inline]
-    pub(crate) fn bounces(&self, ray: &Ray) -> Bounces {
+    pub(crate) fn shares(&self, ray: &Ray) -> Shares {
         let Material { kr, kt, .. } = *self.material;
-        let reflected = || {
-            let direction = optics::mirrored(ray.direction, self.normal, self.cosine);
-            self.bounce(direction, self.inside)
+        let mut shares = Shares {
+            reflected: kr,
+            transmitted: kt,
+            refraction: ray.direction,
         };
-        if kt.is_black() {
-            let reflected = (!kr.is_black()).then(|| (reflected(), kr));
-            return Bounces {
-                reflected,
-                transmitted: None,
-            };
+        if !kt.is_black() && !self.open {
+            match self.refracted(ray.direction) {
+                Some(direction) => shares.refraction = direction,
+                // Total internal reflection: a perfect mirror.
+                None => {
+                    shares.reflected = Color::WHITE;
+                    shares.transmitted = Color::<Factor>::BLACK;
+                }
+            }
         }
-        let refracted = if self.open {
-            Some(ray.direction)
-        } else {
-            let Material {
-                ior, inverse_ior, ..
-            } = *self.material;
-            let eta = if self.inside { ior } else { inverse_ior };
-            optics::refracted(ray.direction, self.normal, self.cosine, eta)
-        };
-        match refracted {
-            Some(direction) => Bounces {
-                reflected: (!kr.is_black()).then(|| (reflected(), kr)),
-                transmitted: Some((self.bounce(direction, !self.inside), kt)),
-            },
-            // Total internal reflection: a perfect mirror.
-            None => Bounces {
-                reflected: Some((reflected(), Color::WHITE)),
-                transmitted: None,
-            },
-        }
+        shares
+    }
+
+    #[inline(never)]
+    fn refracted(&self, view: Vec3<Unit>) -> Option<Vec3<Unit>> {
+        let Material {
+            ior, inverse_ior, ..
+        } = *self.material;
+        let eta = if self.inside { ior } else { inverse_ior };
+        optics::refracted(view, self.normal, self.cosine, eta)
+    }
+
+    /// The ray that is mirrored here.
+    #[inline]
+    pub(crate) fn reflected(&self, view: Vec3<Unit>) -> Ray {
+        let direction = optics::mirrored(view, self.normal, self.cosine);
+        self.bounce(direction, self.inside)
+    }
+
+    /// The ray that goes through.
+    #[inline]
+    pub(crate) fn transmitted(&self, refraction: Vec3<Unit>) -> Ray {
+        self.bounce(refraction, !self.inside)
     }
 
     #[inline]
@@ -216,9 +229,11 @@ fn factor(cosine: Unit) -> Factor {
     Factor::from_bits((((cosine.to_bits() + (1 << 14)) >> 15) as u16).min(1 << 15))
 }
 
-/// What goes on from a hit.
+/// What goes on from a hit: the share of each ray, black if there is none.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Bounces {
-    pub(crate) reflected: Option<(Ray, Color<Factor>)>,
-    pub(crate) transmitted: Option<(Ray, Color<Factor>)>,
+pub(crate) struct Shares {
+    pub(crate) reflected: Color<Factor>,
+    pub(crate) transmitted: Color<Factor>,
+    /// Where the transmitted ray goes.
+    pub(crate) refraction: Vec3<Unit>,
 }

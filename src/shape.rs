@@ -12,9 +12,7 @@ mod sphereflake;
 pub(crate) use plane::{Bounds, Plane};
 pub(crate) use quadric::{Cone, Cylinder, Ellipsoid, Form, Paraboloid, Quadric};
 pub(crate) use sphere::Sphere;
-pub(crate) use sphereflake::{
-    MAX_DEPTH as MAX_FLAKE_DEPTH, Meeting, Parts, Path, Sphereflake, StartSphere,
-};
+pub(crate) use sphereflake::{MAX_DEPTH as MAX_FLAKE_DEPTH, Parts, Path, Sphereflake, StartSphere};
 
 /// What a shape can be.
 #[derive(Clone, Copy, Debug)]

@@ -8,7 +8,7 @@ use crate::num::{Factor, Radiance};
 use crate::observer::{Node, Observer, RayKind, share};
 use crate::prepared::{MAX_DEPTH, PreparedScene, Settings};
 use crate::ray::Ray;
-use crate::shade::Surface;
+use crate::shade::{Shares, Surface};
 use crate::vector::round_unit;
 
 /// Rays of one pixel, shadow rays apart, after which branches add black.
@@ -42,71 +42,89 @@ pub(crate) fn trace(
 ) -> Color<Radiance> {
     let settings = &scene.settings;
     let mut radiance = Color::<Radiance>::BLACK;
-    let mut budget = RAY_BUDGET;
-    let mut next = Some(Branch {
+    let mut branch = Branch {
         ray,
         weight: Color::WHITE,
         depth: 0,
         kind: RayKind::Eye,
-    });
-    stack.0.clear();
-    while let Some(Branch {
-        ray,
-        weight,
-        depth,
-        kind,
-    }) = next.or_else(|| stack.0.pop())
-    {
-        next = None;
-        if budget == 0 {
-            break;
-        }
-        budget -= 1;
-        observer.ray(kind);
-        let hit = intersect::nearest(scene, &ray, observer);
-        let surface = hit.and_then(|hit| Surface::new(scene, &ray, hit));
-        let local = match &surface {
-            Some(surface) => surface.local(scene, &ray, observer),
-            None => background(settings, &ray),
+    };
+    for _ in 0..RAY_BUDGET {
+        let ray = &branch.ray;
+        observer.ray(branch.kind);
+        let mut surface = None;
+        let local = match intersect::nearest(scene, ray, observer) {
+            Some(hit) => {
+                let surface = surface.insert(Surface::new(scene, ray, &hit));
+                surface.local(scene, ray, observer)
+            }
+            None => background(settings, ray),
         };
         observer.node(&Node {
-            kind,
-            generation: depth,
-            weight: share(weight),
-            object: surface.map(|surface| surface.object()),
-            inside: surface.is_some_and(|surface| surface.inside()),
+            kind: branch.kind,
+            generation: branch.depth,
+            weight: share(branch.weight),
+            object: surface.as_ref().map(Surface::object),
+            inside: surface.as_ref().is_some_and(Surface::inside),
             local: local.brightened(settings.exposure.into()),
         });
-        radiance = radiance.plus(weight.weigh(local));
-        let Some(surface) = surface else { continue };
-        if depth == settings.max_depth {
-            continue;
-        }
-        let bounces = surface.bounces(&ray);
-        let branch = |(ray, share): (Ray, Color<Factor>), kind| {
-            let weight = weight.filtered(share);
-            let counts = !weight.all(|w| w < settings.min_weight);
-            counts.then_some(Branch {
-                ray,
-                weight,
-                depth: depth + 1,
-                kind,
-            })
-        };
-        next = bounces
-            .reflected
-            .and_then(|bounce| branch(bounce, RayKind::Reflected));
-        let transmitted = bounces
-            .transmitted
-            .and_then(|bounce| branch(bounce, RayKind::Transmitted));
-        if next.is_none() {
-            next = transmitted;
-        } else if let Some(transmitted) = transmitted {
-            // There is room, as said above; no branch is lost.
-            let _ = stack.0.push(transmitted);
+        radiance = radiance.plus(branch.weight.weigh(local));
+        let goes_on = branch.depth < settings.max_depth
+            && surface.is_some_and(|surface| follow(&surface, settings, &mut branch, stack));
+        if !goes_on {
+            let Some(next) = stack.0.pop() else {
+                return radiance.brightened(settings.exposure.into());
+            };
+            branch = next;
         }
     }
+    stack.0.clear();
     radiance.brightened(settings.exposure.into())
+}
+
+/// Turns a branch into the one that follows from its hit, and puts off what
+/// else follows; false if nothing does.
+#[inline]
+fn follow(
+    surface: &Surface<'_>,
+    settings: &Settings,
+    branch: &mut Branch,
+    stack: &mut Stack,
+) -> bool {
+    let Shares {
+        reflected,
+        transmitted,
+        refraction,
+    } = surface.shares(&branch.ray);
+    let counts = |share: Color<Factor>| {
+        let weight = branch.weight.filtered(share);
+        let counts = !share.is_black() && !weight.all(|w| w < settings.min_weight);
+        counts.then_some(weight)
+    };
+    let (reflected, transmitted) = (counts(reflected), counts(transmitted));
+    let depth = branch.depth + 1;
+    if let Some(weight) = transmitted {
+        let transmitted = Branch {
+            ray: surface.transmitted(refraction),
+            weight,
+            depth,
+            kind: RayKind::Transmitted,
+        };
+        if reflected.is_none() {
+            *branch = transmitted;
+            return true;
+        }
+        // There is room, as said above; no branch is lost.
+        let _ = stack.0.push(transmitted);
+    }
+    if let Some(weight) = reflected {
+        *branch = Branch {
+            ray: surface.reflected(branch.ray.direction),
+            weight,
+            depth,
+            kind: RayKind::Reflected,
+        };
+    }
+    reflected.is_some()
 }
 
 /// What a ray that hits nothing brings back.

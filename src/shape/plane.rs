@@ -49,6 +49,14 @@ impl Plane {
         (self.offset >> point.shift) - ((along + (1 << 29)) >> 30)
     }
 
+    /// Whether a light and a point are on different sides: no distance is
+    /// needed to know.
+    #[inline]
+    pub(crate) fn is_between(&self, light: Vec3<Length>, point: Point) -> bool {
+        let (from, to) = (self.depth(Point::near(light)), self.depth(point));
+        (from < 0) != (to < 0) && from != 0 && to != 0
+    }
+
     /// The distance of a hit from a near point, if it is below `limit`.
     #[inline]
     pub(crate) fn distance(&self, ray: &Ray, limit: Length) -> Option<Length> {

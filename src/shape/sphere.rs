@@ -16,12 +16,22 @@ pub(crate) struct Sphere {
 /// its square, and more.
 const MARGIN: I8F56 = I8F56::from_bits(1 << 33);
 
-/// Where a line passes through a sphere, in distances from the ray's origin.
-struct Chord {
+/// How a line passes through a sphere.
+struct Approach {
+    /// From the ray's origin to the middle of the chord.
     middle: Length,
-    half: Length,
+    /// The square of half the chord.
+    discriminant: I8F56,
     /// Whether the origin is outside.
     outside: bool,
+}
+
+impl Approach {
+    /// Half of the chord.
+    #[inline]
+    fn half(&self) -> Length {
+        Length::from_bits(square_root(self.discriminant.to_bits() as u64) as i32)
+    }
 }
 
 impl Sphere {
@@ -39,8 +49,8 @@ impl Sphere {
     /// The discriminant is `r² - |l|²`, `l` from the center to the chord's
     /// middle: the textbook's `b² - c` loses the bits of a small sphere far
     /// away, which `l` keeps (Haines and others, Ray Tracing Gems 2019, ch. 7).
-    #[inline]
-    fn chord(&self, origin: Vec3<Length>, direction: Vec3<Unit>) -> Option<Chord> {
+    #[inline(always)]
+    fn approach(&self, origin: Vec3<Length>, direction: Vec3<Unit>) -> Option<Approach> {
         let to_center = self.center - origin;
         let middle = round_length(to_center.along(direction).to_bits(), 30);
         let squared = to_center.squared();
@@ -56,22 +66,43 @@ impl Sphere {
         if discriminant < I8F56::ZERO {
             return None;
         }
-        let half = Length::from_bits(square_root(discriminant.to_bits() as u64) as i32);
-        Some(Chord {
+        Some(Approach {
             middle,
-            half,
+            discriminant,
             outside,
         })
+    }
+
+    /// Whether the line from a light crosses the sphere before `distance`.
+    #[inline]
+    pub(crate) fn is_between(
+        &self,
+        light: Vec3<Length>,
+        direction: Vec3<Unit>,
+        distance: Length,
+    ) -> bool {
+        let Some(approach) = self.approach(light, direction) else {
+            return false;
+        };
+        // The entry is before the chord's middle, the exit after it.
+        let rest = distance.saturating_sub(approach.middle);
+        let square = rest.wide_mul(rest);
+        if approach.outside {
+            rest > Length::ZERO || square < approach.discriminant
+        } else {
+            rest > Length::ZERO && square > approach.discriminant
+        }
     }
 
     /// The distance to the nearest hit ahead.
     #[inline]
     pub(crate) fn distance(&self, origin: Vec3<Length>, direction: Vec3<Unit>) -> Option<Length> {
-        let chord = self.chord(origin, direction)?;
-        let distance = if chord.outside {
-            chord.middle - chord.half
+        let approach = self.approach(origin, direction)?;
+        let half = approach.half();
+        let distance = if approach.outside {
+            approach.middle - half
         } else {
-            chord.middle + chord.half
+            approach.middle + half
         };
         (distance > Length::ZERO).then_some(distance)
     }
@@ -91,11 +122,12 @@ impl Sphere {
         origin: Vec3<Length>,
         direction: Vec3<Unit>,
     ) -> [Option<Length>; 2] {
-        let Some(chord) = self.chord(origin, direction) else {
+        let Some(approach) = self.approach(origin, direction) else {
             return [None, None];
         };
-        let entry = chord.outside.then(|| chord.middle - chord.half);
-        [entry, Some(chord.middle + chord.half)]
+        let half = approach.half();
+        let entry = approach.outside.then(|| approach.middle - half);
+        [entry, Some(approach.middle + half)]
     }
 
     /// The outward unit normal at a point of the sphere.

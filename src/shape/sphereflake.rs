@@ -16,7 +16,7 @@ use heapless::Vec;
 
 use crate::Vec3;
 use crate::num::{Length, Unit};
-use crate::ray::Ray;
+use crate::ray::{Ray, Start};
 use crate::vector::round_unit;
 use level::Level;
 use node::{Chord, Node};
@@ -44,6 +44,16 @@ pub(crate) struct StartSphere {
     pub(crate) path: Path,
     /// Whether the ray runs through the inside of that sphere.
     pub(crate) inward: bool,
+}
+
+impl StartSphere {
+    /// Of a ray that starts on a flake.
+    pub(crate) fn of(start: &Start) -> Self {
+        Self {
+            path: start.part,
+            inward: start.inward,
+        }
+    }
 }
 
 impl Sphereflake {

@@ -21,7 +21,7 @@ const LAYERS: &[&str] = &[
     // From the one to the other.
     "prepare", "compiled", "buffer",
     // Nearest hit, local light, the tree of rays.
-    "observer", "intersect", "shade", "tracer",
+    "observer", "intersect", "shadow", "shade", "tracer",
     // Colors to pixels, lines to displays.
     "pixel", "renderer",
 ];

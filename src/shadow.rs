@@ -1,0 +1,141 @@
+//! What is left of a light on its way to a surface.
+//!
+//! The common case is an opaque sphere or plane, or none: whether it is in the
+//! way is known without a root and without the point where it is met. Only
+//! what lets light through, or is of a rarer shape, is looked at more closely.
+
+use crate::num::{Factor, Length, Unit};
+use crate::observer::{Observer, RayKind};
+use crate::prepared::{Light, Object, PreparedScene};
+use crate::ray::{Point, Ray, Start};
+use crate::shape::{Plane, Quadric, Shape, Sphere, StartSphere};
+use crate::{Color, Vec3};
+
+/// The way from a light to a point of a surface.
+///
+/// Shadow rays are traced from the light: it is near, wherever the point is.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ShadowRay<'s> {
+    pub(crate) light: &'s Light,
+    /// From the light to the point.
+    pub(crate) direction: Vec3<Unit>,
+    /// To the point, if it is near; else the light's way passes all finite
+    /// geometry.
+    pub(crate) distance: Length,
+    /// To the point, wherever it is, in steps of a [`Length`].
+    pub(crate) reach: i64,
+    pub(crate) point: Point,
+    /// The surface that the point is on; `inward` if it is lit from its inside.
+    pub(crate) start: Start,
+}
+
+impl ShadowRay<'_> {
+    fn ray(&self) -> Ray {
+        Ray {
+            origin: Point::near(self.light.position),
+            direction: self.direction,
+            start: Start::NOWHERE,
+        }
+    }
+}
+
+/// What is left of a light: each surface on the way lets its `kt` through.
+///
+/// `None` if that is nothing.
+#[inline(never)]
+pub(crate) fn transmittance(
+    scene: &PreparedScene<'_>,
+    shadow: &ShadowRay<'_>,
+    observer: &mut impl Observer,
+) -> Option<Color<Factor>> {
+    observer.ray(RayKind::Shadow);
+    let mut left = Color::WHITE;
+    for (index, object) in (0..).zip(scene.objects) {
+        let is_start = shadow.start.object == index;
+        let in_the_way = match &object.shape {
+            Shape::Sphere(_) if is_start => shadow.start.inward,
+            Shape::Sphere(sphere) => {
+                sphere.is_between(shadow.light.position, shadow.direction, shadow.distance)
+            }
+            Shape::Plane(_) if is_start => false,
+            Shape::Plane(plane) => plane.is_between(shadow.light.position, shadow.point),
+            Shape::Quadric(_) | Shape::Sphereflake(_) => true,
+        };
+        if in_the_way {
+            left = passed(scene, shadow, object, is_start, left);
+            if left.is_black() {
+                observer.intersections(u32::from(index) + 1);
+                return None;
+            }
+        }
+    }
+    observer.intersections(scene.objects.len() as u32);
+    Some(left)
+}
+
+/// What an object that may be in the way leaves of the light.
+#[inline(never)]
+fn passed(
+    scene: &PreparedScene<'_>,
+    shadow: &ShadowRay<'_>,
+    object: &Object,
+    is_start: bool,
+    mut left: Color<Factor>,
+) -> Color<Factor> {
+    let crossings = match &object.shape {
+        Shape::Sphere(sphere) => sphere_crossings(sphere, shadow, is_start),
+        Shape::Plane(plane) => [plane_crossing(plane, shadow), None],
+        Shape::Quadric(quadric) => quadric_crossings(quadric, shadow, is_start),
+        Shape::Sphereflake(flake) => {
+            let ray = shadow.ray();
+            let from = is_start.then(|| StartSphere::of(&shadow.start));
+            flake.crossings(&ray, from, shadow.distance, &mut |distance| {
+                left = left.filtered(scene.transmitted(object, ray.at(distance)));
+                !left.is_black()
+            });
+            [None, None]
+        }
+    };
+    for point in crossings.into_iter().flatten() {
+        left = left.filtered(scene.transmitted(object, point));
+    }
+    left
+}
+
+fn sphere_crossings(sphere: &Sphere, shadow: &ShadowRay<'_>, is_start: bool) -> [Option<Point>; 2] {
+    let [entry, exit] = sphere.crossings(shadow.light.position, shadow.direction);
+    let ray = shadow.ray();
+    let before = |distance: &Length| *distance > Length::ZERO && *distance < shadow.distance;
+    // From the inside of a sphere the exit is the lit point itself.
+    let exit = if is_start { None } else { exit };
+    [entry, exit].map(|crossing| crossing.filter(before).map(|distance| ray.at(distance)))
+}
+
+fn plane_crossing(plane: &Plane, shadow: &ShadowRay<'_>) -> Option<Point> {
+    let ray = shadow.ray();
+    let point = ray.far_at(plane.unbounded_distance(&ray)?);
+    plane.covers(point).then_some(point)
+}
+
+/// Its own surface is looked for from the point, where one root is known.
+fn quadric_crossings(
+    quadric: &Quadric,
+    shadow: &ShadowRay<'_>,
+    is_start: bool,
+) -> [Option<Point>; 2] {
+    let (ray, start) = if is_start {
+        let back = Ray {
+            origin: shadow.point,
+            direction: -shadow.direction,
+            start: shadow.start,
+        };
+        (back, Some(shadow.start.inward))
+    } else {
+        (shadow.ray(), None)
+    };
+    quadric.crossings(&ray, start).map(|crossing| {
+        crossing
+            .filter(|distance| (1..shadow.reach).contains(&distance.to_bits()))
+            .map(|distance| ray.far_at(distance))
+    })
+}
