@@ -1,11 +1,21 @@
 //! Rendering a scene file by the library, as the tests compare it.
 
 use embedded_graphics::geometry::Size;
-use whitted::Real;
+use whitted::{Observer, Real, Renderer};
 use whitted_sim::{render, scene_file};
 
 /// Linear colors of 0 to 1, row by row, with no branch of the ray tree cut off.
+#[allow(dead_code, reason = "some observe all that they render")]
 pub(crate) fn render(text: &str, width: u32, height: u32) -> Vec<[f64; 3]> {
+    observe(text, [width, height], ()).0
+}
+
+/// The same, and what an observer has seen.
+pub(crate) fn observe<O: Observer + Clone>(
+    text: &str,
+    [width, height]: [u32; 2],
+    observer: O,
+) -> (Vec<[f64; 3]>, O) {
     let file =
         scene_file::parse("scene.toml", text).unwrap_or_else(|error| panic!("{error}\n{text}"));
     let mut buffer = Box::new(scene_file::Buffer::new());
@@ -13,11 +23,13 @@ pub(crate) fn render(text: &str, width: u32, height: u32) -> Vec<[f64; 3]> {
         .prepare(&mut buffer)
         .unwrap_or_else(|error| panic!("{error}\n{text}"));
     scene.set_min_weight(Real::ZERO).unwrap();
-    let picture = render::linear(&scene, Size::new(width, height));
+    let mut renderer = Renderer::with_observer(&scene, Size::new(width, height), observer);
+    let picture = render::trace(&mut renderer, |_| {});
     let channel = |value: u16| f64::from(value) / 65535.0;
-    picture
+    let pixels = picture
         .pixels
         .iter()
         .map(|p| [channel(p.r), channel(p.g), channel(p.b)])
-        .collect()
+        .collect();
+    (pixels, renderer.observer().clone())
 }
