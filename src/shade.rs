@@ -99,6 +99,7 @@ impl<'s> Surface<'s> {
                 distance,
                 reach: i64::from(length.length()) << self.point.shift,
                 point: self.point,
+                view: ray.direction,
                 start: Start {
                     object: self.object,
                     part: self.part,

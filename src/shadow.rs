@@ -25,6 +25,8 @@ pub(crate) struct ShadowRay<'s> {
     /// To the point, wherever it is, in steps of a [`Length`].
     pub(crate) reach: i64,
     pub(crate) point: Point,
+    /// From where the point is seen, towards it.
+    pub(crate) view: Vec3<Unit>,
     /// The surface that the point is on; `inward` if it is lit from its inside.
     pub(crate) start: Start,
 }
@@ -58,7 +60,9 @@ pub(crate) fn transmittance(
                 sphere.is_between(shadow.light.position, shadow.direction, shadow.distance)
             }
             Shape::Plane(_) if is_start => false,
-            Shape::Plane(plane) => plane.is_between(shadow.light.position, shadow.point),
+            Shape::Plane(plane) => {
+                plane.is_between(shadow.light.position, shadow.point, shadow.view)
+            }
             Shape::Quadric(_) | Shape::Sphereflake(_) => true,
         };
         if in_the_way {
@@ -112,8 +116,12 @@ fn sphere_crossings(sphere: &Sphere, shadow: &ShadowRay<'_>, is_start: bool) -> 
 }
 
 fn plane_crossing(plane: &Plane, shadow: &ShadowRay<'_>) -> Option<Point> {
-    let ray = shadow.ray();
-    let point = ray.far_at(plane.unbounded_distance(&ray)?);
+    let point = if plane.is_near(shadow.point) {
+        shadow.point
+    } else {
+        let ray = shadow.ray();
+        ray.far_at(plane.unbounded_distance(&ray)?)
+    };
     plane.covers(point).then_some(point)
 }
 

@@ -49,11 +49,23 @@ impl Plane {
         (self.offset >> point.shift) - ((along + (1 << 29)) >> 30)
     }
 
+    /// Whether a point may be on the plane, but for rounding.
+    #[inline]
+    pub(crate) fn is_near(&self, point: Point) -> bool {
+        self.depth(point).abs() <= 2
+    }
+
     /// Whether a light and a point are on different sides: no distance is
     /// needed to know.
+    ///
+    /// A point in a corner of walls is on the side of each that it is seen
+    /// from, by a ray in the direction of `view`.
     #[inline]
-    pub(crate) fn is_between(&self, light: Vec3<Length>, point: Point) -> bool {
-        let (from, to) = (self.depth(Point::near(light)), self.depth(point));
+    pub(crate) fn is_between(&self, light: Vec3<Length>, point: Point, view: Vec3<Unit>) -> bool {
+        let (from, mut to) = (self.depth(Point::near(light)), self.depth(point));
+        if to.abs() <= 2 {
+            to = view.cosine(self.normal).to_bits().into();
+        }
         (from < 0) != (to < 0) && from != 0 && to != 0
     }
 
