@@ -1,0 +1,140 @@
+//! What a surface does to its own light.
+
+use fastrand::Rng;
+
+use super::{Shadows, Triple, common, direction, outside, scene, shadows};
+
+/// All within the unit sphere and, from outside, convex.
+const CONVEX: [&str; 15] = [
+    r#"type = "sphere", center = [0, 0, 0], radius = 1"#,
+    r#"type = "sphereflake", center = [0, 0, 0], radius = 1, depth = 0"#,
+    r#"type = "ellipsoid", center = [0, 0, 0], radii = [1, 0.6, 0.8]"#,
+    r#"type = "ellipsoid", center = [0, 0, 0], radii = [1, 0.00390625, 1]"#,
+    r#"type = "ellipsoid", center = [0, 0, 0], radii = [0.00390625, 1, 0.00390625]"#,
+    r#"type = "cylinder", origin = [0, 0, 0], radius = 0.6, y = [-0.8, 0.8]"#,
+    r#"type = "cylinder", origin = [0, 0, 0], radius = 0.01, y = [-0.9, 0.9]"#,
+    r#"type = "cylinder", origin = [0, 0, 0], radius = 0.6"#,
+    r#"type = "cone", origin = [0, -0.8, 0], radius = 0.6, height = 1.6, y = [0, 1.6]"#,
+    r#"type = "cone", origin = [0, 0.8, 0], radius = 0.6, height = -1.6, y = [-1.4, 0]"#,
+    r#"type = "cone", origin = [0, 0, 0], radius = 1, height = 0.0009765625, y = [0, 0.0009765625]"#,
+    r#"type = "cone", origin = [0, -1, 0], radius = 0.001953125, height = 2, y = [0, 2]"#,
+    r#"type = "paraboloid", origin = [0, -0.5, 0], y = [0, 0.7]"#,
+    r#"type = "plane", normal = [0.2, 1, 0.1], point = [0, 0, 0], bounds = { x = [-0.7, 0.7], z = [-0.7, 0.7] }"#,
+    r#"type = "plane", normal = [0.2, 1, 0.1], point = [0, 0, 0]"#,
+];
+
+/// From a point of a convex surface's outside no way towards a light in front
+/// of it meets the surface again, however it grazes.
+#[test]
+fn convex_surfaces_do_not_shadow_their_outside() {
+    let mut rng = Rng::with_seed(1);
+    for object in CONVEX {
+        let mut sum = Shadows::default();
+        for _ in 0..24 {
+            let lamps = [0; 16].map(|_| outside(&mut rng));
+            // From 1 degree, for what is thin.
+            let fovy = 10_f64.powf(1.7 * rng.f64());
+            let text = scene(object, outside(&mut rng), [0.0; 3], fovy, &lamps);
+            let Shadows { lit, dark, .. } = shadows(&text, [64, 48]);
+            sum.lit[0] += lit[0];
+            sum.dark[0] += dark[0];
+        }
+        println!("{object}: {sum:?}");
+        assert!(sum.lit[0] > 500, "{object} is hardly seen");
+        assert_eq!(sum.dark[0], 0, "{object} shadows itself");
+    }
+}
+
+/// The inside of a closed convex surface is in the light of all lamps within,
+/// and of none without.
+#[test]
+fn closed_surfaces_part_inside_and_outside() {
+    let mut rng = Rng::with_seed(2);
+    for (object, flat) in [
+        (r#"type = "sphere", center = [0, 0, 0], radius = 1"#, 1.0),
+        (
+            r#"type = "sphereflake", center = [0, 0, 0], radius = 1, depth = 0"#,
+            1.0,
+        ),
+        (
+            r#"type = "ellipsoid", center = [0, 0, 0], radii = [1, 0.6, 0.8]"#,
+            1.0,
+        ),
+        (
+            r#"type = "ellipsoid", center = [0, 0, 0], radii = [1, 0.00390625, 1]"#,
+            0.00390625,
+        ),
+        (
+            r#"type = "cylinder", origin = [0, 0, 0], radius = 0.6"#,
+            1.0,
+        ),
+    ] {
+        let flattened = |[x, y, z]: Triple| [x, flat * y, z];
+        let within = |rng: &mut Rng| {
+            let depth = 10_f64.powf(-3.0 * rng.f64());
+            flattened(direction(rng).map(|c| 0.6 * (1.0 - depth) * c))
+        };
+        let without = |rng: &mut Rng| loop {
+            let [x, y, z] = outside(rng);
+            // Nor up a cylinder.
+            if x * x + z * z > 1.0 {
+                return flattened([x, y, z]);
+            }
+        };
+        let (mut inner, mut leak) = ([0, 0], 0.0);
+        for _ in 0..12 {
+            let (eye, look_at) = (within(&mut rng), within(&mut rng));
+            let view = |lamps| {
+                let text = scene(object, eye, look_at, 100.0, lamps);
+                common::observe(&text, [64, 48], Shadows::default())
+            };
+            let lamps = [0; 16].map(|_| within(&mut rng));
+            let Shadows { lit, dark, .. } = view(&lamps).1;
+            inner = [inner[0] + lit[1], inner[1] + dark[1]];
+            let lamps = [0; 16].map(|_| without(&mut rng));
+            let picture = view(&lamps).0;
+            leak = picture.into_iter().flatten().fold(leak, f64::max);
+        }
+        let [lit, dark] = inner;
+        println!("{object}: {lit} lit, {leak:.6} leaks in");
+        assert!(lit > 100_000, "{object} is hardly seen");
+        assert_eq!(dark, 0, "{object} shadows its inside");
+        // A lamp that a point all but does not face misses the entry by
+        // the root of a step: less than a display shows.
+        assert!(leak < 0.001, "light leaks into {object}");
+    }
+}
+
+/// Surfaces that may shadow themselves do so where the oracle says, but for a
+/// pixel on the very edge.
+#[test]
+fn hollow_surfaces_shadow_themselves_as_they_should() {
+    let mut rng = Rng::with_seed(3);
+    for object in [
+        r#"type = "cylinder", origin = [0, 0, 0], radius = 0.6, y = [-0.8, 0.8]"#,
+        r#"type = "cone", origin = [0, -0.8, 0], radius = 0.6, height = 1.6, y = [0, 1.6]"#,
+        r#"type = "cone", origin = [0, -0.8, 0], radius = 0.6, height = 0.8, y = [0, 1.6]"#,
+        r#"type = "cone", origin = [0, 0, 0], radius = 0.6, height = 0.8"#,
+        r#"type = "cone", origin = [0, 0, 0], radius = 1, height = 0.0009765625, y = [0, 0.0019]"#,
+        r#"type = "paraboloid", origin = [0, -0.5, 0], y = [0, 0.7]"#,
+        r#"type = "paraboloid", origin = [0, -0.5, 0], y = [0.3, 0.7]"#,
+        r#"type = "sphereflake", center = [0, 0, 0], radius = 0.5, depth = 3"#,
+        r#"type = "sphereflake", center = [0, 0, 0], radius = 0.4, depth = 3, ratio = 0.5"#,
+    ] {
+        let (mut lit, mut wrong) = (0, 0);
+        for _ in 0..48 {
+            let lamp = outside(&mut rng);
+            let text = scene(object, outside(&mut rng), [0.0; 3], 50.0, &[lamp]);
+            let picture = common::render(&text, 64, 48);
+            let expected = whitted_oracle::parse::<f64>(&text).render(64, 48);
+            for ([a, ..], [b, ..]) in picture.iter().zip(&expected) {
+                lit += usize::from(*a > 0.0);
+                // Where it is all but grazed, both are black.
+                wrong += usize::from((a - b).abs() > 1.0 / 255.0);
+            }
+        }
+        println!("{object}: {lit} lit, {wrong} wrong");
+        assert!(lit > 3000, "{object} is hardly seen");
+        assert!(wrong <= 1, "{object}: {wrong} pixels");
+    }
+}
