@@ -14,8 +14,8 @@ use super::frame::Frame;
 const FARTHEST: Real = Real::lit("16777216");
 /// The brightest light, emission, ambient light or background.
 const BRIGHTEST: Real = Real::lit("256");
-/// The longest radius of an ellipsoid in its shortest one.
-const FLATTEST: Real = Real::lit("256");
+/// The longest radius of an ellipsoid in its shortest one: 2^8.
+const FLATTEST: u32 = 8;
 /// The height of a cone in its radius, or the other way round: 2^10.
 const STEEPEST: u32 = 10;
 /// The least size of anything, world units.
@@ -194,8 +194,8 @@ fn shape(item: Item, shape: &Shape) -> Result<(), SceneError> {
                 radii.x.max(radii.y).max(radii.z),
             ];
             size("radii", shortest)?;
-            let most = shortest.saturating_mul(FLATTEST).min(FARTHEST);
-            range(item, "radii", longest, [SMALLEST, most])
+            size("radii", longest)?;
+            range(item, "radii", shortest, [longest >> FLATTEST, longest])
         }
         Shape::Cylinder { origin, radius, y } => {
             point(item, "origin", origin)?;
@@ -229,7 +229,7 @@ fn shape(item: Item, shape: &Shape) -> Result<(), SceneError> {
         Shape::Paraboloid { origin, y } => {
             point(item, "origin", origin)?;
             interval(item, "y", y)?;
-            size("y", y[1])
+            size("y[1]", y[1])
         }
         Shape::Plane {
             normal,
@@ -291,7 +291,7 @@ pub(super) fn least_rise(item: Item, y: [Real; 2], frame: &Frame) -> Result<(), 
     let least = [least, least.saturating_mul(least), SMALLEST]
         .into_iter()
         .fold(Real::ZERO, Real::max);
-    range(item, "y", y[1], [least, FARTHEST])
+    range(item, "y[1]", y[1], [least, FARTHEST])
 }
 
 /// The smallest spheres of a flake must be as large as any size.
@@ -313,17 +313,19 @@ pub(super) fn least_sphere(
     range(item, "depth", depth.into(), [Real::ZERO, most.into()])
 }
 
-/// A size must be at least 2^10 steps of the scene's scale to be round.
+/// A size must be at least 2^10 steps of the scene's scale to be round; below 0
+/// as well as above.
 pub(super) fn least_size(
     item: Item,
     field: &'static str,
     size: Real,
     frame: &Frame,
 ) -> Result<(), SceneError> {
-    range(
-        item,
-        field,
-        size,
-        [frame.smallest().max(SMALLEST), FARTHEST],
-    )
+    let least = frame.smallest().max(SMALLEST);
+    let sizes = if size < 0 {
+        [-FARTHEST, -least]
+    } else {
+        [least, FARTHEST]
+    };
+    range(item, field, size, sizes)
 }

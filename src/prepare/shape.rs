@@ -61,7 +61,7 @@ pub(super) fn shape(shape: &scene::Shape, frame: &Frame, item: Item) -> Result<S
             y,
         } => {
             least_size("radius", radius)?;
-            least_size("height", height.abs())?;
+            least_size("height", height)?;
             let form = |middle| Form::Cone(cone(radius, height, middle, frame));
             Ok(match y {
                 Some(y) => clamped(origin, y, frame, form(middle(y))),

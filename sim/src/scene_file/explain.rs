@@ -66,25 +66,27 @@ fn reason(problem: Problem, entry: Option<&Entry>) -> String {
 
 fn help(problem: Problem, key: &str) -> Option<String> {
     let name = key.rsplit('.').next().unwrap_or_default();
+    // An array's element is shown in its array.
+    let name = name.split('[').next().unwrap_or_default();
     let example = example(name);
     Some(match problem {
         Problem::NoView => "move one of the two".to_owned(),
         Problem::AlongView => "give another `up`, or move `eye` or `look_at`".to_owned(),
         Problem::EmptyInterval => "write the lower end first: [low, high]".to_owned(),
         Problem::TooMany { .. } => "leave some out".to_owned(),
-        Problem::OutOfRange { least, most } if !suits(example, least, most) => {
-            format!("write for example `{name} = {least}`")
-        }
         _ if example.is_empty() => return None,
+        Problem::OutOfRange { least, most } => match nearest(example, least, most) {
+            Some(end) => format!("write for example `{name} = {end}`"),
+            None => format!("write for example `{example}`"),
+        },
         _ => format!("write for example `{example}`"),
     })
 }
 
-/// False for the example of a number outside of a range, which may be that of
-/// a scene of unusual size.
-fn suits(example: &str, least: Real, most: Real) -> bool {
-    let number = example.rsplit(' ').next().map(str::parse::<Real>);
-    number
-        .and_then(Result::ok)
-        .is_none_or(|number| (least..=most).contains(&number))
+/// Of a range that the example's number is outside of, which may be that of a
+/// scene of unusual size: the end that is nearest to it.
+fn nearest(example: &str, least: Real, most: Real) -> Option<Real> {
+    let number: Real = example.rsplit(' ').next()?.parse().ok()?;
+    let nearest = number.clamp(least, most);
+    (nearest != number).then_some(nearest)
 }
