@@ -207,6 +207,184 @@ fn spheres() {
     );
 }
 
+/// What is said of an object of this shape.
+fn shape_error(shape: Shape) -> String {
+    object_error(Object { shape, ..SPHERE })
+}
+
+fn real<const N: usize>(numbers: [&str; N]) -> [Real; N] {
+    numbers.map(Real::lit)
+}
+
+#[test]
+fn ellipsoids() {
+    let ellipsoid = |radii| {
+        let [x, y, z] = real(radii);
+        shape_error(Shape::Ellipsoid {
+            center: Vec3::lit("0", "0", "0"),
+            radii: Vec3::new(x, y, z),
+        })
+    };
+    for flat in ["0", "-0.5"] {
+        assert_eq!(
+            ellipsoid(["1", flat, "1"]),
+            "object 1: radii must be from 0.000001 to 16777216"
+        );
+    }
+    assert_eq!(
+        ellipsoid(["1", "2", "0.007"]),
+        "object 1: radii must be from 0.0078125 to 2"
+    );
+    // The scene is some ten units across.
+    assert_eq!(
+        ellipsoid(["0.00001", "0.00002", "0.00003"]),
+        "object 1: radii must be from 0.0000305176 to 16777216"
+    );
+}
+
+#[test]
+fn cylinders() {
+    let cylinder = |radius, y: Option<[&str; 2]>| {
+        shape_error(Shape::Cylinder {
+            origin: Vec3::lit("0", "0", "0"),
+            radius: Real::lit(radius),
+            y: y.map(real),
+        })
+    };
+    assert_eq!(
+        cylinder("0", None),
+        "object 1: radius must be from 0.000001 to 16777216"
+    );
+    assert_eq!(
+        cylinder("0.00002", None),
+        "object 1: radius must be from 0.0000305176 to 16777216"
+    );
+    for y in [["1", "1"], ["1", "-1"]] {
+        assert_eq!(
+            cylinder("1", Some(y)),
+            "object 1: y must run from a lower to a higher value"
+        );
+    }
+}
+
+#[test]
+fn cones() {
+    let cone = |radius, height, y: Option<[&str; 2]>| {
+        shape_error(Shape::Cone {
+            origin: Vec3::lit("0", "0", "0"),
+            radius: Real::lit(radius),
+            height: Real::lit(height),
+            y: y.map(real),
+        })
+    };
+    assert_eq!(
+        cone("-1", "1", None),
+        "object 1: radius must be from 0.000001 to 16777216"
+    );
+    for height in ["0", "0.0009", "1025"] {
+        assert_eq!(
+            cone("1", height, None),
+            "object 1: height must be from 0.0009765625 to 1024"
+        );
+    }
+    for height in ["-0.0009", "-1025"] {
+        assert_eq!(
+            cone("1", height, None),
+            "object 1: height must be from -1024 to -0.0009765625"
+        );
+    }
+    // Within the slope, but too small for the scene's scale.
+    for (height, range) in [
+        ("0.00002", "from 0.0000305176 to 16777216"),
+        ("-0.00002", "from -16777216 to -0.0000305176"),
+    ] {
+        assert_eq!(
+            cone("0.001", height, None),
+            format!("object 1: height must be {range}")
+        );
+    }
+    assert_eq!(
+        cone("1", "1", Some(["1", "0"])),
+        "object 1: y must run from a lower to a higher value"
+    );
+    // Wider than the world.
+    assert_eq!(
+        cone("1024", "1", Some(["-20000", "1"])),
+        "object 1: y must be from -16383 to 16385"
+    );
+}
+
+#[test]
+fn paraboloids() {
+    let paraboloid = |y| {
+        shape_error(Shape::Paraboloid {
+            origin: Vec3::lit("0", "0", "0"),
+            y: real(y),
+        })
+    };
+    for high in ["-1", "0"] {
+        assert_eq!(
+            paraboloid(["-2", high]),
+            "object 1: y[1] must be from 0.000001 to 16777216"
+        );
+    }
+    assert_eq!(
+        paraboloid(["0", "0.00003"]),
+        "object 1: y[1] must be from 0.0000305176 to 16777216"
+    );
+    assert_eq!(
+        paraboloid(["2", "1"]),
+        "object 1: y must run from a lower to a higher value"
+    );
+}
+
+#[test]
+fn sphereflakes() {
+    let flake = |radius, depth, ratio, frame| {
+        shape_error(Shape::Sphereflake {
+            center: Vec3::lit("0", "0", "0"),
+            radius: Real::lit(radius),
+            depth,
+            ratio: Real::lit(ratio),
+            frame,
+        })
+    };
+    assert_eq!(
+        flake("0", 1, "0.3", Shape::UPRIGHT),
+        "object 1: radius must be from 0.000001 to 16777216"
+    );
+    assert_eq!(
+        flake("1", 9, "0.5", Shape::UPRIGHT),
+        "object 1: depth must be from 0 to 8"
+    );
+    // The smallest spheres would be a hundred-thousandth.
+    assert_eq!(
+        flake("1", 5, "0.1", Shape::UPRIGHT),
+        "object 1: depth must be from 0 to 4"
+    );
+    for ratio in ["0.09", "0.51"] {
+        assert_eq!(
+            flake("1", 1, ratio, Shape::UPRIGHT),
+            "object 1: ratio must be from 0.1 to 0.5"
+        );
+    }
+    let [u, v, w] = Shape::UPRIGHT;
+    let long = Vec3::lit("1.1", "0", "0");
+    let slanted = Vec3::lit("0.1", "0", "-0.995");
+    for frame in [
+        [v, u, w],
+        [u, -v, w],
+        [long, v, w],
+        [u, slanted, w],
+        [u, v, v],
+    ] {
+        assert_eq!(
+            flake("1", 1, "0.3", frame),
+            "object 1: frame must be three unit vectors at right angles, u × v = w"
+        );
+    }
+}
+
 #[test]
 fn planes() {
     let plane = |normal, bounds| Object {
