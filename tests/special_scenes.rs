@@ -227,3 +227,47 @@ material = "glass"
             .any(|[r, g, b]| *r > 0.5 && *g > 0.5 && *b > 0.5)
     );
 }
+
+/// `2 n (n·V)` is then 2 long, which a direction cannot be.
+#[test]
+fn a_mirror_that_is_met_head_on_shows_what_is_behind_the_eye() {
+    for (eye, normal, up) in [
+        ([0, 0, 5], [0, 0, 1], [0, 1, 0]),
+        ([0, 0, -5], [0, 0, 1], [0, 1, 0]),
+        ([5, 0, 0], [1, 0, 0], [0, 1, 0]),
+        ([-5, 0, 0], [-1, 0, 0], [0, 1, 0]),
+        ([0, 5, 0], [0, 1, 0], [0, 0, 1]),
+        ([0, -5, 0], [0, 1, 0], [0, 0, 1]),
+    ] {
+        let picture = common::render(
+            &format!(
+                r#"
+background = [0.2, 0.4, 0.6]
+camera = {{ eye = {eye:?}, look_at = [0, 0, 0], up = {up:?}, fovy_deg = 30 }}
+materials.mirror = {{ kr = [1, 1, 1] }}
+[[objects]]
+type = "plane"
+normal = {normal:?}
+point = [0, 0, 0]
+bounds = {{ x = [-1, 1], y = [-1, 1], z = [-1, 1] }}
+material = "mirror"
+[[objects]]
+type = "plane"
+normal = {normal:?}
+point = {far:?}
+material = "glow"
+[materials.glow]
+le = [0.9, 0.5, 0.1]
+"#,
+                far = eye.map(|c| 2 * c)
+            ),
+            1,
+            1,
+        );
+        let close = picture[0]
+            .iter()
+            .zip([0.9, 0.5, 0.1])
+            .all(|(a, b)| (a - b).abs() < 0.0001);
+        assert!(close, "{eye:?}: {picture:?}");
+    }
+}
