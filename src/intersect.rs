@@ -29,7 +29,7 @@ pub(crate) struct Part {
 }
 
 /// The first surface that a ray meets.
-#[inline]
+#[inline(never)]
 pub(crate) fn nearest<'s>(
     scene: &PreparedScene<'s>,
     ray: &Ray,
@@ -76,11 +76,12 @@ fn nearest_near<'s>(
     let mut limit = NEAR_LIMIT;
     let mut nearest = None;
     let mut part = Part::default();
-    for (index, object) in (0..).zip(objects) {
+    let start = usize::from(ray.start.object);
+    for (index, object) in objects.iter().enumerate() {
         if !counts(&object.shape) {
             continue;
         }
-        let is_start = ray.start.object == index;
+        let is_start = index == start;
         let distance = match &object.shape {
             Shape::Sphere(sphere) if is_start => ray
                 .start
@@ -101,7 +102,7 @@ fn nearest_near<'s>(
     }
     nearest.map(|(object, index)| Nearest {
         object,
-        index,
+        index: index as u16,
         distance: limit,
         part,
     })

@@ -9,6 +9,7 @@ use crate::observer::{Observer, RayKind};
 use crate::prepared::{Light, Object, PreparedScene};
 use crate::ray::{Point, Ray, Start};
 use crate::shape::{Plane, Quadric, Shape, Sphere, StartSphere};
+use crate::texture::Texture;
 use crate::{Color, Vec3};
 
 /// The way from a light to a point of a surface.
@@ -52,8 +53,9 @@ pub(crate) fn transmittance(
 ) -> Option<Color<Factor>> {
     observer.ray(RayKind::Shadow);
     let mut left = Color::WHITE;
-    for (index, object) in (0..).zip(scene.objects) {
-        let is_start = shadow.start.object == index;
+    let start = usize::from(shadow.start.object);
+    for (index, object) in scene.objects.iter().enumerate() {
+        let is_start = index == start;
         let in_the_way = match &object.shape {
             Shape::Sphere(_) if is_start => shadow.start.inward,
             Shape::Sphere(sphere) => {
@@ -65,16 +67,33 @@ pub(crate) fn transmittance(
             }
             Shape::Quadric(_) | Shape::Sphereflake(_) => true,
         };
-        if in_the_way {
+        if !in_the_way {
+            continue;
+        }
+        if is_start || !blocks(scene, object) {
             left = passed(scene, shadow, object, is_start, left);
-            if left.is_black() {
-                observer.intersections(u32::from(index) + 1);
-                return None;
+            if !left.is_black() {
+                continue;
             }
         }
+        observer.intersections(index as u32 + 1);
+        return None;
     }
     observer.intersections(scene.objects.len() as u32);
     Some(left)
+}
+
+/// Whether an object that is found to be in the way is so for sure, and lets no
+/// light through anywhere.
+#[inline(always)]
+fn blocks(scene: &PreparedScene<'_>, object: &Object) -> bool {
+    let is_sure = match &object.shape {
+        Shape::Sphere(_) => true,
+        Shape::Plane(plane) => plane.bounds.is_none(),
+        Shape::Quadric(_) | Shape::Sphereflake(_) => false,
+    };
+    is_sure
+        && matches!(object.texture, Texture::Uniform(material) if scene.material(material).kt.is_black())
 }
 
 /// What an object that may be in the way leaves of the light.

@@ -48,7 +48,8 @@ pub(crate) fn trace(
         depth: 0,
         kind: RayKind::Eye,
     };
-    for _ in 0..RAY_BUDGET {
+    let mut budget = RAY_BUDGET;
+    loop {
         let ray = &branch.ray;
         observer.ray(branch.kind);
         let mut surface = None;
@@ -72,12 +73,19 @@ pub(crate) fn trace(
             && surface.is_some_and(|surface| follow(&surface, settings, &mut branch, stack));
         if !goes_on {
             let Some(next) = stack.0.pop() else {
-                return radiance.brightened(settings.exposure.into());
+                break;
             };
             branch = next;
         }
+        budget -= 1;
+        if budget == 0 {
+            stack.0.clear();
+            break;
+        }
     }
-    stack.0.clear();
+    if settings.exposure == 0 {
+        return radiance;
+    }
     radiance.brightened(settings.exposure.into())
 }
 
@@ -128,6 +136,7 @@ fn follow(
 }
 
 /// What a ray that hits nothing brings back.
+#[inline(never)]
 fn background(settings: &Settings, ray: &Ray) -> Color<Radiance> {
     let height = ray.direction.y;
     if height <= 0 || settings.horizon == settings.zenith {

@@ -62,11 +62,17 @@ impl Plane {
     /// from, by a ray in the direction of `view`.
     #[inline]
     pub(crate) fn is_between(&self, light: Vec3<Length>, point: Point, view: Vec3<Unit>) -> bool {
-        let (from, mut to) = (self.depth(Point::near(light)), self.depth(point));
+        let (from, to) = (self.depth(Point::near(light)), self.depth(point));
         if to.abs() <= 2 {
-            to = view.cosine(self.normal).to_bits().into();
+            return self.is_seen_from_beyond(from, view);
         }
-        (from < 0) != (to < 0) && from != 0 && to != 0
+        from ^ to < 0 && from != 0
+    }
+
+    #[cold]
+    fn is_seen_from_beyond(&self, from: i64, view: Vec3<Unit>) -> bool {
+        let to = view.cosine(self.normal).to_bits();
+        from.signum() * i64::from(to.signum()) < 0
     }
 
     /// The distance of a hit from a near point, if it is below `limit`.
@@ -74,7 +80,7 @@ impl Plane {
     pub(crate) fn distance(&self, ray: &Ray, limit: Length) -> Option<Length> {
         let (depth, cosine) = self.approach(ray)?;
         // What is beyond the limit is not worth a division.
-        if depth >= (u64::from(cosine) * limit.to_bits() as u64) >> 30 {
+        if depth >= wide(cosine, limit.to_bits() as u32) >> 30 {
             return None;
         }
         let shift = cosine.leading_zeros();
@@ -116,7 +122,7 @@ impl Plane {
     fn approach(&self, ray: &Ray) -> Option<(u64, u32)> {
         let cosine = ray.direction.cosine(self.normal).to_bits();
         let depth = self.depth(ray.origin);
-        if cosine == 0 || depth == 0 || (depth < 0) != (cosine < 0) {
+        if (depth >> 32) as i32 ^ cosine < 0 || cosine == 0 || depth == 0 {
             return None;
         }
         Some((depth.unsigned_abs(), cosine.unsigned_abs()))

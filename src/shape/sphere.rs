@@ -54,11 +54,12 @@ impl Sphere {
         let to_center = self.center - origin;
         let middle = round_length(to_center.along(direction).to_bits(), 30);
         let squared = to_center.squared();
-        let outside = squared > self.radius_squared;
-        if outside && middle <= Length::ZERO {
+        // What most spheres are passed over by: the line is too far off.
+        if squared - middle.wide_mul(middle) > self.radius_squared + MARGIN {
             return None;
         }
-        if squared - middle.wide_mul(middle) > self.radius_squared + MARGIN {
+        let outside = squared > self.radius_squared;
+        if outside && middle <= Length::ZERO {
             return None;
         }
         let offset = to_center - direction.times(middle);
