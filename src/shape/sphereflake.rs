@@ -7,19 +7,17 @@
 
 mod direction;
 mod flake;
-mod level;
 mod node;
+mod walk;
 
 pub(crate) use flake::{MAX_DEPTH, Parts, Path, Sphereflake};
-
-use heapless::Vec;
 
 use crate::Vec3;
 use crate::num::{Length, Unit};
 use crate::ray::{Ray, Start};
 use crate::vector::round_unit;
-use level::Level;
 use node::{Chord, Node};
+use walk::{Children, Levels, Walk};
 
 /// Where a ray meets the flake first.
 #[derive(Clone, Copy, Debug)]
@@ -160,36 +158,17 @@ impl Sphereflake {
     /// 0 to stop.
     #[inline(never)]
     fn walk(&self, ray: &Ray, mut reach: i64, visit: &mut dyn FnMut(&Chord) -> i64) {
-        let mut levels = Vec::<Level, { MAX_DEPTH as usize }>::new();
-        let Some(mut node) = Node::largest(self, ray).filter(|node| node.is_within(reach)) else {
-            return;
-        };
-        let mut path = 0;
-        loop {
-            if let Some(chord) = node.chord(path) {
+        let (mut levels, mut children) = (Levels::new(), Children::new());
+        let mut walk = Walk::new(self, &mut levels, &mut children);
+        let mut next = Node::largest(self, ray).filter(|node| node.is_within(reach));
+        while let Some(node) = next {
+            if let Some(chord) = node.chord(walk.path()) {
                 reach = visit(&chord);
                 if reach <= 0 {
                     return;
                 }
             }
-            if levels.len() < usize::from(self.depth) {
-                // There is room: the depth is at most the capacity.
-                let _ = levels.push(Level::new(self, node, reach));
-            }
-            // The next child of the deepest sphere that has one within reach.
-            loop {
-                let generation = levels.len() as u32;
-                let Some(level) = levels.last_mut() else {
-                    return;
-                };
-                if let Some(child) = level.next(self, reach) {
-                    node = level.node().child(self, child);
-                    let shift = 4 * (generation - 1);
-                    path = path & !(u32::MAX << shift) | child << shift;
-                    break;
-                }
-                levels.pop();
-            }
+            next = walk.next(node, reach);
         }
     }
 }

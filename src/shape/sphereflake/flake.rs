@@ -40,6 +40,7 @@ pub(crate) struct Sphereflake {
     pub(super) inverse_radius: u32,
     pub(super) ratio: U0F32,
     pub(super) inverse_ratio: U4F28,
+    pub(super) steps: Steps,
     /// All of it is within so many radii.
     pub(super) bound: Radii,
     pub(super) depth: u8,
@@ -65,6 +66,7 @@ impl Sphereflake {
             inverse_radius: inverse(radius),
             ratio,
             inverse_ratio: U4F28::from_bits(inverse_ratio),
+            steps: Steps::new(ratio),
             bound: Self::bound(ratio, depth),
             depth,
         }
@@ -106,25 +108,40 @@ impl Sphereflake {
         );
         [u, v, w]
     }
+}
 
+/// Directions to children, `1 + ratio` long.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Steps {
     /// From a sphere's center to a child's, in radii: 1.1 to 1.5.
-    #[inline(always)]
-    pub(super) fn step(&self) -> Unit {
-        Unit::from_bits((1 << 30) + (self.ratio.to_bits() >> 2) as i32)
+    pub(super) along: Unit,
+    equator: Unit,
+    aside: Unit,
+    elevation: Unit,
+}
+
+impl Steps {
+    fn new(ratio: U0F32) -> Self {
+        let along = Unit::from_bits((1 << 30) + (ratio.to_bits() >> 2) as i32);
+        let part = |k: Unit| round_unit(along.wide_mul(k).to_bits(), 30);
+        Self {
+            along,
+            equator: part(EQUATOR),
+            aside: part(ASIDE),
+            elevation: part(ELEVATION),
+        }
     }
 
-    /// `step` times the dot products with the first six directions, of which
-    /// the others are the opposites; shifted right.
+    /// The dot products with the first six directions, of which the others are
+    /// the opposites; shifted right.
     #[inline]
     pub(super) fn dots(&self, v: Vec3<i32>, shift: u32) -> [i32; 6] {
-        let step = self.step();
-        let part = |c: i32, k: Unit| {
-            let k = (step.wide_mul(k).to_bits() >> 30) as i32;
-            ((i64::from(c) * i64::from(k)) >> shift) as i32
-        };
-        let x = part(v.x, Unit::ONE);
+        let part = |c: i32, k: Unit| ((i64::from(c) * i64::from(k.to_bits())) >> shift) as i32;
+        let x = part(v.x, self.along);
         let half = x >> 1;
-        let (equator, aside, up) = (part(v.y, EQUATOR), part(v.y, ASIDE), part(v.z, ELEVATION));
+        let equator = part(v.y, self.equator);
+        let aside = part(v.y, self.aside);
+        let up = part(v.z, self.elevation);
         [
             x,
             half + equator,

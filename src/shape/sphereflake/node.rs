@@ -1,4 +1,4 @@
-use fixed::types::U0F32;
+use fixed::types::I1F31;
 
 use crate::Vec3;
 use crate::num::{Unit, square_root, wide};
@@ -16,7 +16,7 @@ pub(super) struct Node {
     pub(super) direction: Vec3<Unit>,
     /// From the ray's origin to the foot, Q56 of the scene.
     pub(super) distance: i64,
-    pub(super) radius: U0F32,
+    pub(super) radius: I1F31,
     /// The sphere and all that follows from it is within so many radii.
     pub(super) bound: Radii,
 }
@@ -46,10 +46,10 @@ impl Chord {
     }
 }
 
-/// A length in radii as Q56 of the scene: `Q29 * Q32 -> Q61 -> Q56`.
+/// A length in radii as Q56 of the scene: `Q29 * Q31 -> Q60 -> Q56`.
 #[inline(always)]
-pub(super) fn scaled(radii: Radii, radius: U0F32) -> i64 {
-    (i64::from(radii.to_bits()) * i64::from(radius.to_bits())) >> 5
+pub(super) fn scaled(radii: Radii, radius: I1F31) -> i64 {
+    (i64::from(radii.to_bits()) * i64::from(radius.to_bits())) >> 4
 }
 
 impl Node {
@@ -65,7 +65,8 @@ impl Node {
         let foot = offset.zip(d, |o, d| {
             (i64::from(o.to_bits()) << 30) + i64::from(d.to_bits()) * distance
         });
-        let most = scaled(flake.bound, flake.radius) << 2;
+        let radius = I1F31::from_bits((flake.radius.to_bits() >> 1) as i32);
+        let most = (scaled(flake.bound, radius) << 2) + (1 << 30);
         if !foot.all(|c| (-most..=most).contains(&c)) {
             return None;
         }
@@ -79,7 +80,7 @@ impl Node {
             foot,
             direction: d,
             distance: distance << 28,
-            radius: flake.radius,
+            radius,
             bound: flake.bound,
         };
         if node.squared() > node.bound.wide_mul(node.bound).to_bits() as u64 >> 2 {
@@ -139,17 +140,17 @@ impl Node {
     }
 
     /// From the ray's origin to a child's foot, which is so many radii (Q30)
-    /// farther: `Q30 * Q32 -> Q62 -> Q56`.
+    /// farther: `Q30 * Q31 -> Q61 -> Q56`.
     #[inline(always)]
     pub(super) fn foot_of(&self, farther: i32) -> i64 {
-        self.distance + ((i64::from(farther) * i64::from(self.radius.to_bits())) >> 6)
+        self.distance + ((i64::from(farther) * i64::from(self.radius.to_bits())) >> 5)
     }
 
     /// How far from a child's center all that follows from it reaches, in the
     /// radii of the parent, rounded up.
     #[inline(always)]
     pub(super) fn child_bound(&self, flake: &Sphereflake) -> Radii {
-        Radii::from_bits(self.bound.to_bits() - (flake.step().to_bits() >> 1) + 1)
+        Radii::from_bits(self.bound.to_bits() - (flake.steps.along.to_bits() >> 1) + 1)
     }
 
     /// The same ray as a child sees it: the foot is taken anew, turned and
@@ -157,7 +158,7 @@ impl Node {
     #[inline]
     pub(super) fn child(&self, flake: &Sphereflake, child: u32) -> Self {
         let axis = axis(child);
-        let step = flake.step();
+        let step = flake.steps.along;
         // How much farther the child's foot is: Q30 * Q30 -> Q30
         let farther = round_unit(step.wide_mul(self.direction.cosine(axis)).to_bits(), 30);
         // l - step a + farther d: Q29 -> Q60; Q30 * Q30 -> Q60; rounded to Q30.
@@ -174,8 +175,9 @@ impl Node {
             }),
             direction: inward(self.direction, child),
             distance: self.foot_of(farther.to_bits()),
-            radius: U0F32::from_bits(
-                ((wide(self.radius.to_bits(), flake.ratio.to_bits()) + (1 << 31)) >> 32) as u32,
+            radius: I1F31::from_bits(
+                ((wide(self.radius.to_bits() as u32, flake.ratio.to_bits()) + (1 << 31)) >> 32)
+                    as i32,
             ),
             // Rounded up.
             bound: Radii::from_bits(
