@@ -6,6 +6,7 @@
 
 mod check;
 mod frame;
+mod range;
 mod shape;
 mod trigonometry;
 
@@ -92,7 +93,7 @@ fn texture(texture: &scene::Texture, frame: &Frame, item: Item) -> Result<Textur
             axes,
             materials,
         } => {
-            check::least_size(item, "checker.size", size, frame)?;
+            range::least_size(item, "checker.size", size, frame)?;
             let shift = size.to_bits().leading_zeros();
             let inverse = reciprocal((((size.to_bits() as u64) << shift) >> 32) as u32);
             let phase = axes.map(|axis| {

@@ -11,11 +11,11 @@ use crate::shape::{
 use crate::vector::direction;
 use crate::{Item, Problem, Real, SceneError, Vec3};
 
-use super::check::{self, fail};
 use super::frame::{Frame, cone_radius, cross};
+use super::range::{self, fail};
 
 pub(super) fn shape(shape: &scene::Shape, frame: &Frame, item: Item) -> Result<Shape, SceneError> {
-    let least_size = |field, size| check::least_size(item, field, size, frame);
+    let least_size = |field, size| range::least_size(item, field, size, frame);
     match *shape {
         scene::Shape::Sphere { center, radius } => {
             least_size("radius", radius)?;
@@ -73,7 +73,7 @@ pub(super) fn shape(shape: &scene::Shape, frame: &Frame, item: Item) -> Result<S
             })
         }
         scene::Shape::Paraboloid { origin, y } => {
-            check::least_rise(item, y, frame)?;
+            range::least_rise(item, y, frame)?;
             let form = Form::Paraboloid(paraboloid(middle(y), frame));
             Ok(clamped(origin, y, frame, form))
         }
@@ -91,7 +91,7 @@ pub(super) fn shape(shape: &scene::Shape, frame: &Frame, item: Item) -> Result<S
         } => {
             let ratio = U0F32::from_bits(ratio.to_bits() as u32);
             least_size("radius", radius)?;
-            check::least_sphere(item, radius, ratio, depth, frame)?;
+            range::least_sphere(item, radius, ratio, depth, frame)?;
             let Some(axes) = orthonormal(axes) else {
                 return fail(item, "frame", Problem::NotOrthonormal);
             };
