@@ -152,11 +152,14 @@ fn a_broken_scene_is_told_on_display_and_uart() -> Result<()> {
 
 #[test]
 fn every_core_draws_the_same_pictures() -> Result<()> {
-    let whitted = root().join("scenes/whitted.toml");
+    let large = ["whitted", "sphereflake"].map(|name| {
+        let scene = root().join("scenes").join(name).with_extension("toml");
+        (scene, Size::new(320, 240))
+    });
     let pictures = scenes()?
         .into_iter()
         .map(|scene| (scene, Size::new(80, 60)));
-    for (scene, size) in pictures.chain([(whitted, Size::new(320, 240))]) {
+    for (scene, size) in pictures.chain(large) {
         let expected = checksum(&scene, size)?;
         let compiled = qemu::compile(&scene)?;
         for core in Core::ALL {
