@@ -3,12 +3,13 @@
 //! Shading never traces: [`crate::tracer`] walks the tree of rays.
 
 use crate::intersect::Hit;
-use crate::num::{Factor, Length, Radiance, Unit, power, reciprocal_root};
+use crate::num::{Factor, Radiance, Unit, power, reciprocal_root};
 use crate::observer::{Observer, share};
 use crate::prepared::{Light, Material, PreparedScene};
 use crate::ray::{Point, Ray, Start};
 use crate::shadow::{ShadowRay, transmittance};
 use crate::shape::Shape;
+use crate::vector::round_length;
 use crate::{Color, Vec3, optics};
 
 /// All that shading needs to know of a hit.
@@ -80,26 +81,20 @@ impl<'s> Surface<'s> {
         if self.material.kd.is_black() && self.material.ks.is_black() {
             return sum;
         }
-        for (index, light) in (0..).zip(scene.lights) {
+        for (index, light) in scene.lights.iter().enumerate() {
             // To the light, in steps of the point's shift.
             let way = self.point.to(light.position);
             if way.along(self.normal) <= 0 {
                 continue;
             }
-            let (to_light, length) = way.normalized();
+            let to_light = way.normalized().0;
             let cosine = to_light.cosine(self.normal);
-            let distance = if self.point.is_near() {
-                Length::from_bits(length.length() as i32)
-            } else {
-                Length::MAX
-            };
             let shadow = ShadowRay {
                 light,
                 direction: -to_light,
-                distance,
-                reach: i64::from(length.length()) << self.point.shift,
-                point: self.point,
-                view: ray.direction,
+                length: round_length(way.along(to_light).to_bits(), 30),
+                point: &self.point,
+                view: &ray.direction,
                 start: Start {
                     object: self.object,
                     part: self.part,
@@ -107,7 +102,7 @@ impl<'s> Surface<'s> {
                 },
             };
             let left = transmittance(scene, &shadow, observer);
-            observer.shadow(index, left.map(share));
+            observer.shadow(index as u16, left.map(share));
             if let Some(left) = left {
                 sum = sum.plus(self.lit(light, left, ray, to_light, cosine));
             }

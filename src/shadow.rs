@@ -20,19 +20,32 @@ pub(crate) struct ShadowRay<'s> {
     pub(crate) light: &'s Light,
     /// From the light to the point.
     pub(crate) direction: Vec3<Unit>,
-    /// To the point, if it is near; else the light's way passes all finite
-    /// geometry.
-    pub(crate) distance: Length,
-    /// To the point, wherever it is, in steps of a [`Length`].
-    pub(crate) reach: i64,
-    pub(crate) point: Point,
+    /// To the point, in steps of the point's shift.
+    pub(crate) length: Length,
+    pub(crate) point: &'s Point,
     /// From where the point is seen, towards it.
-    pub(crate) view: Vec3<Unit>,
+    pub(crate) view: &'s Vec3<Unit>,
     /// The surface that the point is on; `inward` if it is lit from its inside.
     pub(crate) start: Start,
 }
 
 impl ShadowRay<'_> {
+    /// To the point, if it is near; else the light's way passes all finite
+    /// geometry.
+    #[inline(always)]
+    fn distance(&self) -> Length {
+        if self.point.is_near() {
+            self.length
+        } else {
+            Length::MAX
+        }
+    }
+
+    /// To the point, wherever it is, in steps of a [`Length`].
+    fn reach(&self) -> i64 {
+        i64::from(self.length.to_bits()) << self.point.shift
+    }
+
     fn ray(&self) -> Ray {
         Ray {
             origin: Point::near(self.light.position),
@@ -59,11 +72,11 @@ pub(crate) fn transmittance(
         let in_the_way = match &object.shape {
             Shape::Sphere(_) if is_start => shadow.start.inward,
             Shape::Sphere(sphere) => {
-                sphere.is_between(shadow.light.position, shadow.direction, shadow.distance)
+                sphere.is_between(shadow.light.position, shadow.direction, shadow.distance())
             }
             Shape::Plane(_) if is_start => false,
             Shape::Plane(plane) => {
-                plane.is_between(shadow.light.position, shadow.point, shadow.view)
+                plane.is_between(shadow.light.position, *shadow.point, *shadow.view)
             }
             Shape::Quadric(_) | Shape::Sphereflake(_) => true,
         };
@@ -112,7 +125,7 @@ fn passed(
         Shape::Sphereflake(flake) => {
             let ray = shadow.ray();
             let from = is_start.then(|| StartSphere::of(&shadow.start));
-            flake.crossings(&ray, from, shadow.distance, &mut |distance| {
+            flake.crossings(&ray, from, shadow.distance(), &mut |distance| {
                 left = left.filtered(scene.transmitted(object, ray.at(distance)));
                 !left.is_black()
             });
@@ -128,15 +141,15 @@ fn passed(
 fn sphere_crossings(sphere: &Sphere, shadow: &ShadowRay<'_>, is_start: bool) -> [Option<Point>; 2] {
     let [entry, exit] = sphere.crossings(shadow.light.position, shadow.direction);
     let ray = shadow.ray();
-    let before = |distance: &Length| *distance > Length::ZERO && *distance < shadow.distance;
+    let before = |distance: &Length| *distance > Length::ZERO && *distance < shadow.distance();
     // From the inside of a sphere the exit is the lit point itself.
     let exit = if is_start { None } else { exit };
     [entry, exit].map(|crossing| crossing.filter(before).map(|distance| ray.at(distance)))
 }
 
 fn plane_crossing(plane: &Plane, shadow: &ShadowRay<'_>) -> Option<Point> {
-    let point = if plane.is_near(shadow.point) {
-        shadow.point
+    let point = if plane.is_near(*shadow.point) {
+        *shadow.point
     } else {
         let ray = shadow.ray();
         ray.far_at(plane.unbounded_distance(&ray)?)
@@ -152,7 +165,7 @@ fn quadric_crossings(
 ) -> [Option<Point>; 2] {
     let (ray, start) = if is_start {
         let back = Ray {
-            origin: shadow.point,
+            origin: *shadow.point,
             direction: -shadow.direction,
             start: shadow.start,
         };
@@ -162,7 +175,7 @@ fn quadric_crossings(
     };
     quadric.crossings(&ray, start).map(|crossing| {
         crossing
-            .filter(|distance| (1..shadow.reach).contains(&distance.to_bits()))
+            .filter(|distance| (1..shadow.reach()).contains(&distance.to_bits()))
             .map(|distance| ray.far_at(distance))
     })
 }
