@@ -4,12 +4,14 @@
 //! alone. The common ray starts near and is answered by 32-bit distances. A
 //! far hit, on something endless beyond all else, takes the cold path.
 
+use core::borrow::Borrow;
+
 use crate::Vec3;
 use crate::num::{Length, NEAR_LIMIT, Scaled, Unit};
 use crate::observer::Observer;
 use crate::prepared::{Object, PreparedScene};
 use crate::ray::{Point, Ray};
-use crate::shape::{Path, Quadric, Shape, Sphereflake, StartSphere};
+use crate::shape::{Path, Quadric, Shape, Sight, Sphereflake, StartSphere};
 
 /// The nearest point of a ray on a surface.
 #[derive(Clone, Copy, Debug)]
@@ -39,9 +41,34 @@ pub(crate) fn nearest<'s>(
     if !ray.origin.is_near() {
         return nearest_from_far(scene.objects, ray);
     }
-    match nearest_near(scene.objects, ray, |_| true) {
+    let from = ray.origin.coordinates;
+    let seen = scene.objects.iter().enumerate();
+    let seen = seen.map(|(index, object)| (index, object, object.shape.sight(from)));
+    let nearest = nearest_near(seen, ray);
+    finish(nearest, scene.objects, ray)
+}
+
+/// The same for an eye ray, whose origin has looked at each object before.
+#[inline(never)]
+pub(crate) fn nearest_to_eye<'s>(
+    scene: &PreparedScene<'s>,
+    ray: &Ray,
+    observer: &mut impl Observer,
+) -> Option<Hit<'s>> {
+    observer.intersections(scene.objects.len() as u32);
+    let seen = scene.objects.iter().zip(scene.sights.eye).enumerate();
+    let nearest = nearest_near(
+        seen.map(|(index, (object, sight))| (index, object, sight)),
+        ray,
+    );
+    finish(nearest, scene.objects, ray)
+}
+
+#[inline(always)]
+fn finish<'s>(nearest: Option<Nearest<'s>>, objects: &'s [Object], ray: &Ray) -> Option<Hit<'s>> {
+    match nearest {
         Some(nearest) => Some(nearest.hit(ray)),
-        None => nearest_far(scene.objects, ray),
+        None => nearest_far(objects, ray),
     }
 }
 
@@ -65,31 +92,29 @@ impl<'s> Nearest<'s> {
     }
 }
 
-/// Among hits less than [`NEAR_LIMIT`] away, from a near origin.
+/// Among hits less than [`NEAR_LIMIT`] away, from a near origin: of objects by
+/// number, and how the origin sees them.
 #[inline(always)]
 fn nearest_near<'s>(
-    objects: &'s [Object],
+    seen: impl Iterator<Item = (usize, &'s Object, impl Borrow<Sight>)>,
     ray: &Ray,
-    counts: impl Fn(&Shape) -> bool,
 ) -> Option<Nearest<'s>> {
     let origin = ray.origin.coordinates;
     let mut limit = NEAR_LIMIT;
     let mut nearest = None;
     let mut part = Part::default();
     let start = usize::from(ray.start.object);
-    for (index, object) in objects.iter().enumerate() {
-        if !counts(&object.shape) {
-            continue;
-        }
+    for (index, object, sight) in seen {
+        let sight = sight.borrow();
         let is_start = index == start;
         let distance = match &object.shape {
             Shape::Sphere(sphere) if is_start => ray
                 .start
                 .inward
                 .then(|| sphere.across(origin, ray.direction)),
-            Shape::Sphere(sphere) => sphere.distance(origin, ray.direction),
+            Shape::Sphere(sphere) => sphere.distance(sight, ray.direction),
             Shape::Plane(_) if is_start => None,
-            Shape::Plane(plane) => plane.distance(ray, limit),
+            Shape::Plane(plane) => plane.distance(sight, ray, limit),
             Shape::Quadric(quadric) => quadric_distance(quadric, ray, is_start),
             Shape::Sphereflake(flake) => flake_distance(flake, ray, is_start, limit, &mut part),
         };
@@ -175,7 +200,11 @@ fn nearest_endless<'s>(objects: &'s [Object], ray: &Ray) -> Option<(Hit<'s>, Sca
 fn nearest_from_far<'s>(objects: &'s [Object], ray: &Ray) -> Option<Hit<'s>> {
     let endless = nearest_endless(objects, ray);
     let finite = ray.approaching().and_then(|(ray, skipped)| {
-        let nearest = nearest_near(objects, &ray, Shape::is_finite)?;
+        let from = ray.origin.coordinates;
+        let finite = objects.iter().enumerate();
+        let finite = finite.filter(|(_, object)| object.shape.is_finite());
+        let seen = finite.map(|(index, object)| (index, object, object.shape.sight(from)));
+        let nearest = nearest_near(seen, &ray)?;
         let distance = i64::from(nearest.distance.to_bits()) + skipped;
         Some((nearest.hit(&ray), distance))
     });

@@ -8,7 +8,7 @@
 use crate::error::Full;
 use crate::num::{Factor, Length, Radiance, Unit};
 use crate::ray::Point;
-use crate::shape::Shape;
+use crate::shape::{Shape, Sight};
 use crate::texture::Texture;
 use crate::{Color, Vec3};
 
@@ -35,6 +35,24 @@ pub struct PreparedScene<'b> {
     pub(crate) objects: &'b [Object],
     pub(crate) lights: &'b [Light],
     pub(crate) materials: &'b [Material],
+    pub(crate) sights: Sights<'b>,
+}
+
+/// How the eye and the lights see each object, in the order of the objects.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Sights<'b> {
+    pub(crate) eye: &'b [Sight],
+    /// Light after light, each so many sights long.
+    pub(crate) lights: &'b [Sight],
+    pub(crate) stride: usize,
+}
+
+impl<'b> Sights<'b> {
+    /// Of a light.
+    #[inline(always)]
+    pub(crate) fn light(&self, index: usize) -> &'b [Sight] {
+        self.lights.get(index * self.stride..).unwrap_or(&[])
+    }
 }
 
 /// All of a prepared scene that is not a list.

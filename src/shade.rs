@@ -91,6 +91,7 @@ impl<'s> Surface<'s> {
             let cosine = to_light.cosine(self.normal);
             let shadow = ShadowRay {
                 light,
+                sights: scene.sights.light(index),
                 direction: -to_light,
                 length: round_length(way.along(to_light).to_bits(), 30),
                 point: &self.point,

@@ -8,7 +8,7 @@ use crate::num::{Factor, Length, Unit};
 use crate::observer::{Observer, RayKind};
 use crate::prepared::{Light, Object, PreparedScene};
 use crate::ray::{Point, Ray, Start};
-use crate::shape::{Plane, Quadric, Shape, Sphere, StartSphere};
+use crate::shape::{Plane, Quadric, Shape, Sight, Sphere, StartSphere};
 use crate::texture::Texture;
 use crate::{Color, Vec3};
 
@@ -18,6 +18,8 @@ use crate::{Color, Vec3};
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ShadowRay<'s> {
     pub(crate) light: &'s Light,
+    /// How the light sees each object.
+    pub(crate) sights: &'s [Sight],
     /// From the light to the point.
     pub(crate) direction: Vec3<Unit>,
     /// To the point, in steps of the point's shift.
@@ -67,17 +69,13 @@ pub(crate) fn transmittance(
     observer.ray(RayKind::Shadow);
     let mut left = Color::WHITE;
     let start = usize::from(shadow.start.object);
-    for (index, object) in scene.objects.iter().enumerate() {
+    for (index, (object, sight)) in scene.objects.iter().zip(shadow.sights).enumerate() {
         let is_start = index == start;
         let in_the_way = match &object.shape {
             Shape::Sphere(_) if is_start => shadow.start.inward,
-            Shape::Sphere(sphere) => {
-                sphere.is_between(shadow.light.position, shadow.direction, shadow.distance())
-            }
+            Shape::Sphere(sphere) => sphere.is_between(sight, shadow.direction, shadow.distance()),
             Shape::Plane(_) if is_start => false,
-            Shape::Plane(plane) => {
-                plane.is_between(shadow.light.position, *shadow.point, *shadow.view)
-            }
+            Shape::Plane(plane) => plane.is_between(sight, *shadow.point, *shadow.view),
             Shape::Quadric(_) | Shape::Sphereflake(_) => true,
         };
         if !in_the_way {
@@ -139,7 +137,7 @@ fn passed(
 }
 
 fn sphere_crossings(sphere: &Sphere, shadow: &ShadowRay<'_>, is_start: bool) -> [Option<Point>; 2] {
-    let [entry, exit] = sphere.crossings(shadow.light.position, shadow.direction);
+    let [entry, exit] = sphere.crossings(&sphere.sight(shadow.light.position), shadow.direction);
     let ray = shadow.ray();
     let before = |distance: &Length| *distance > Length::ZERO && *distance < shadow.distance();
     // From the inside of a sphere the exit is the lit point itself.

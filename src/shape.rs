@@ -6,11 +6,16 @@
 
 mod plane;
 mod quadric;
+mod sight;
 mod sphere;
 mod sphereflake;
 
+use crate::Vec3;
+use crate::num::Length;
+
 pub(crate) use plane::{Bounds, Plane};
 pub(crate) use quadric::{Cone, Cylinder, Ellipsoid, Form, Paraboloid, Quadric};
+pub(crate) use sight::Sight;
 pub(crate) use sphere::Sphere;
 pub(crate) use sphereflake::{MAX_DEPTH as MAX_FLAKE_DEPTH, Parts, Path, Sphereflake, StartSphere};
 
@@ -30,6 +35,15 @@ impl Default for Shape {
 }
 
 impl Shape {
+    /// How a near point sees it, if it is a sphere or a plane.
+    pub(crate) fn sight(&self, point: Vec3<Length>) -> Sight {
+        match self {
+            Self::Sphere(sphere) => sphere.sight(point),
+            Self::Plane(plane) => plane.sight(point),
+            Self::Quadric(_) | Self::Sphereflake(_) => Sight::NONE,
+        }
+    }
+
     /// Whether all of it is within ±1.
     #[inline]
     pub(crate) fn is_finite(&self) -> bool {

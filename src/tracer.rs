@@ -53,7 +53,12 @@ pub(crate) fn trace(
         let ray = &branch.ray;
         observer.ray(branch.kind);
         let mut surface = None;
-        let local = match intersect::nearest(scene, ray, observer) {
+        let hit = if branch.depth == 0 {
+            intersect::nearest_to_eye(scene, ray, observer)
+        } else {
+            intersect::nearest(scene, ray, observer)
+        };
+        let local = match hit {
             Some(hit) => {
                 let surface = surface.insert(Surface::new(scene, ray, &hit));
                 surface.local(scene, ray, observer)

@@ -2,6 +2,8 @@ use crate::Vec3;
 use crate::num::{Length, Scaled, Unit, quotient, reciprocal, wide};
 use crate::ray::{HORIZON, Point, Ray};
 
+use super::sight::Sight;
+
 /// A plane, endless or bounded.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Plane {
@@ -49,6 +51,15 @@ impl Plane {
         (self.offset >> point.shift) - ((along + (1 << 29)) >> 30)
     }
 
+    /// How a near point sees it.
+    #[inline(always)]
+    pub(crate) fn sight(&self, point: Vec3<Length>) -> Sight {
+        Sight {
+            depth: self.depth(Point::near(point)),
+            ..Sight::NONE
+        }
+    }
+
     /// Whether a point may be on the plane, but for rounding.
     #[inline]
     pub(crate) fn is_near(&self, point: Point) -> bool {
@@ -61,8 +72,8 @@ impl Plane {
     /// A point in a corner of walls is on the side of each that it is seen
     /// from, by a ray in the direction of `view`.
     #[inline]
-    pub(crate) fn is_between(&self, light: Vec3<Length>, point: Point, view: Vec3<Unit>) -> bool {
-        let (from, to) = (self.depth(Point::near(light)), self.depth(point));
+    pub(crate) fn is_between(&self, light: &Sight, point: Point, view: Vec3<Unit>) -> bool {
+        let (from, to) = (light.depth, self.depth(point));
         if to.abs() <= 2 {
             return self.is_seen_from_beyond(from, view);
         }
@@ -76,9 +87,14 @@ impl Plane {
     }
 
     /// The distance of a hit from a near point, if it is below `limit`.
-    #[inline]
-    pub(crate) fn distance(&self, ray: &Ray, limit: Length) -> Option<Length> {
-        let (depth, cosine) = self.approach(ray)?;
+    #[inline(always)]
+    pub(crate) fn distance(&self, origin: &Sight, ray: &Ray, limit: Length) -> Option<Length> {
+        let (depth, cosine) = self.approach(origin.depth, ray.direction)?;
+        self.met(depth, cosine, ray, limit)
+    }
+
+    #[inline(never)]
+    fn met(&self, depth: u64, cosine: u32, ray: &Ray, limit: Length) -> Option<Length> {
         // What is beyond the limit is not worth a division.
         if depth >= wide(cosine, limit.to_bits() as u32) >> 30 {
             return None;
@@ -107,7 +123,7 @@ impl Plane {
 
     /// The same, without regard to bounds.
     pub(crate) fn unbounded_distance(&self, ray: &Ray) -> Option<Scaled> {
-        let (depth, cosine) = self.approach(ray)?;
+        let (depth, cosine) = self.approach(self.depth(ray.origin), ray.direction)?;
         let distance = quotient(depth, cosine.into());
         let distance = Scaled {
             exponent: distance.exponent + i32::from(ray.origin.shift),
@@ -119,9 +135,8 @@ impl Plane {
     /// How far the plane is along its normal and the cosine to it, both
     /// positive, if the ray approaches the plane.
     #[inline(always)]
-    fn approach(&self, ray: &Ray) -> Option<(u64, u32)> {
-        let cosine = ray.direction.cosine(self.normal).to_bits();
-        let depth = self.depth(ray.origin);
+    fn approach(&self, depth: i64, direction: Vec3<Unit>) -> Option<(u64, u32)> {
+        let cosine = direction.cosine(self.normal).to_bits();
         if (depth >> 32) as i32 ^ cosine < 0 || cosine == 0 || depth == 0 {
             return None;
         }
