@@ -217,7 +217,7 @@ fn a_gallery_shows_scenes() -> Outcome {
     let at = |x: usize, y: usize| sheet.pixels[y * sheet.width as usize + x];
     let (red, green) = (Color::new(0xffff, 0, 0), Color::new(0, 0xffff, 0));
     assert_eq!(
-        [at(8, 8), at(199, 151), at(208, 8), at(399, 151)],
+        [at(8, 8), at(167, 127), at(176, 8), at(335, 127)],
         [red, red, green, green]
     );
     let between = [

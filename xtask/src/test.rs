@@ -97,7 +97,7 @@ fn docs() -> Result<()> {
 }
 
 fn test_host() -> Result<()> {
-    command::run(cargo().args(["test", "--quiet"]))
+    command::run(cargo().args(["test", "--quiet", "--no-fail-fast"]))
 }
 
 fn test_qemu() -> Result<()> {
