@@ -9,14 +9,14 @@ use cortex_m_semihosting::{debug, hio, syscall};
 
 /// Prints on the host's standard output. Where the host takes no text, there
 /// is nobody left to tell.
-pub(crate) fn print(text: impl Display) {
+pub fn print(text: impl Display) {
     if let Ok(mut output) = hio::hstdout() {
         _ = write!(output, "{text}");
     }
 }
 
 /// Ends QEMU.
-pub(crate) fn exit() -> ! {
+pub fn exit() -> ! {
     debug::exit(debug::EXIT_SUCCESS);
     loop {
         cortex_m::asm::wfi();

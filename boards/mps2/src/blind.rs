@@ -4,11 +4,11 @@ use core::hint::black_box;
 use embedded_graphics_core::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 
 /// A display without pixels: takes them all, at the least cost there is.
-pub(crate) struct Blind(Size);
+pub struct Blind(Size);
 
 impl Blind {
     /// One of this size.
-    pub(crate) fn new(size: Size) -> Self {
+    pub fn new(size: Size) -> Self {
         Self(size)
     }
 }
