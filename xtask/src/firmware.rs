@@ -25,6 +25,12 @@ pub const V7M: &str = "thumbv7m-none-eabi";
 /// Instructions of the Cortex-M4F and M7, with floats in hardware.
 pub const V7EM: &str = "thumbv7em-none-eabihf";
 
+/// Instructions of the Cortex-M33, with floats in hardware.
+pub const V8M: &str = "thumbv8m.main-none-eabihf";
+
+/// Every target that there is firmware for.
+pub const TARGETS: [&str; 4] = [V6M, V7M, V7EM, V8M];
+
 /// What the root manifest calls the profile for microcontrollers.
 const PROFILE: &str = "firmware";
 
@@ -35,7 +41,7 @@ pub const LM3S6965EVB: Firmware = Firmware {
 };
 
 /// The firmware that draws any scene, for each kind of core.
-pub const HEADLESS: [Firmware; 3] = [headless(V6M), headless(V7M), headless(V7EM)];
+pub const HEADLESS: [Firmware; 4] = [headless(V6M), headless(V7M), headless(V7EM), headless(V8M)];
 
 pub(crate) const fn headless(target: &'static str) -> Firmware {
     Firmware {

@@ -16,7 +16,7 @@ cargo xtask TASK
   qemu [SCENE] [--shot FILE.png] [--window]
                         Draws a scene on the OLED of the LM3S6965 board, in QEMU;
                         takes a screenshot, or shows the display in a window.
-  headless SCENE [--size WxH] [--core m0|m3|m4f]
+  headless SCENE [--size WxH] [--core m0|m3|m4f|m7|m33]
                         Draws a scene on a core, in QEMU, and prints what it took.
   size                  Flash and RAM of each firmware.
   tidy                  Checks the rules of the source code.

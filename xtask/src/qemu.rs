@@ -12,7 +12,7 @@ use std::{env, fs, thread};
 use anyhow::{Context, Result, anyhow, bail};
 
 use crate::command::{command, run};
-use crate::firmware::{self, Firmware, V6M, V7EM, V7M};
+use crate::firmware::{self, Firmware, V6M, V7EM, V7M, V8M};
 use crate::qmp::Monitor;
 use crate::report::Report;
 use crate::scratch_dir;
@@ -35,11 +35,15 @@ pub enum Core {
     M3,
     /// Cortex-M4 with floats in hardware.
     M4f,
+    /// Cortex-M7 with floats in hardware; the M4F's code.
+    M7,
+    /// Cortex-M33 with floats in hardware.
+    M33,
 }
 
 impl Core {
     /// All of them.
-    pub const ALL: [Self; 3] = [Self::M0, Self::M3, Self::M4f];
+    pub const ALL: [Self; 5] = [Self::M0, Self::M3, Self::M4f, Self::M7, Self::M33];
 }
 
 impl FromStr for Core {
@@ -50,7 +54,9 @@ impl FromStr for Core {
             "m0" => Ok(Self::M0),
             "m3" => Ok(Self::M3),
             "m4f" => Ok(Self::M4f),
-            _ => Err(anyhow!("there are the cores m0, m3 and m4f")),
+            "m7" => Ok(Self::M7),
+            "m33" => Ok(Self::M33),
+            _ => Err(anyhow!("there are the cores m0, m3, m4f, m7 and m33")),
         }
     }
 }
@@ -69,6 +75,8 @@ impl Machine {
             Core::M0 => ("mps2-an385", V6M),
             Core::M3 => ("mps2-an385", V7M),
             Core::M4f => ("mps2-an386", V7EM),
+            Core::M7 => ("mps2-an500", V7EM),
+            Core::M33 => ("mps2-an505", V8M),
         };
         Self {
             name,

@@ -5,12 +5,12 @@ use std::path::Path;
 use anyhow::{Context, Result, bail};
 
 use crate::command::{cargo, command, run, works};
-use crate::firmware::{V6M, V7EM, V7M};
+use crate::firmware::TARGETS;
 use crate::qemu::QEMU;
 
 /// Installs what is missing; fails with the command that would, where it cannot.
 pub(crate) fn install() -> Result<()> {
-    for target in [V6M, V7M, V7EM] {
+    for target in TARGETS {
         if !has_target(target) {
             rustup(&["target", "add", target])?;
         }
