@@ -45,6 +45,7 @@ pub trait Float:
     /// `self` to a power from 1 to 4096, a shininess, for a non-negative base.
     /// Whole exponents, the usual ones, go by repeated squaring, which is many
     /// times cheaper than the general power without hardware floating point.
+    #[inline(never)]
     fn pow(self, exponent: Self) -> Self {
         let mut whole = exponent.floor().unsigned_abs();
         if Self::from_u32(whole) != exponent {
@@ -63,6 +64,20 @@ pub trait Float:
         }
     }
 }
+
+/// The root by the one instruction that it is where floats are in hardware;
+/// `f32::sqrt` is not in `core` yet, and libm computes it with integers. Inline
+/// assembly has no registers of the FPU yet, so it takes a call.
+#[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
+#[allow(unsafe_code)]
+// SAFETY: this ABI passes both argument and result in s0.
+#[unsafe(naked)]
+extern "C" fn sqrtf(x: f32) -> f32 {
+    core::arch::naked_asm!(".fpu fpv4-sp-d16", "vsqrt.f32 s0, s0", "bx lr")
+}
+
+#[cfg(not(all(target_arch = "arm", target_abi = "eabihf")))]
+use libm::sqrtf;
 
 macro_rules! float {
     ($float:ident, $sqrt:path, $tan:path, $pow:path) => {
@@ -112,5 +127,5 @@ macro_rules! float {
     };
 }
 
-float!(f32, libm::sqrtf, libm::tanf, libm::powf);
+float!(f32, sqrtf, libm::tanf, libm::powf);
 float!(f64, libm::sqrt, libm::tan, libm::pow);

@@ -23,7 +23,7 @@
 //! bounces.
 
 #![cfg_attr(not(feature = "std"), no_std)]
-#![forbid(unsafe_code)]
+#![deny(unsafe_code)]
 
 mod float;
 #[cfg(feature = "std")]

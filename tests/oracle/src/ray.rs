@@ -28,10 +28,11 @@ impl<F: Float> Ray<F> {
 
     /// The center of the part of this object that the ray starts on.
     #[inline]
-    pub fn start_on(&self, object: usize) -> Option<Vec3<F>> {
+    pub fn start_on(&self, object: usize) -> Option<&Vec3<F>> {
         self.start
+            .as_ref()
             .filter(|start| start.object == object)
-            .map(|start| start.center)
+            .map(|start| &start.center)
     }
 }
 

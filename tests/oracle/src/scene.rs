@@ -6,6 +6,7 @@ use crate::vec3::{Color, Vec3};
 
 /// All that a picture is computed from.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Scene<'a, F> {
     pub camera: Camera<F>,
     pub settings: Settings<F>,
@@ -16,6 +17,7 @@ pub struct Scene<'a, F> {
 
 /// Where the picture is seen from.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize))]
 pub struct Camera<F> {
     pub eye: Vec3<F>,
     pub look_at: Vec3<F>,
@@ -26,6 +28,7 @@ pub struct Camera<F> {
 
 /// What holds for the whole scene.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize))]
 pub struct Settings<F> {
     /// Generations of secondary rays; 0 is plain ray casting.
     pub max_depth: u32,
@@ -44,6 +47,7 @@ pub struct Settings<F> {
 
 /// What a ray that hits nothing brings back.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize))]
 pub enum Background<F> {
     Solid(Color<F>),
     /// Blended by the height of the ray's direction; the horizon's below it.
@@ -55,6 +59,7 @@ pub enum Background<F> {
 
 /// A point light.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize))]
 pub struct Light<F> {
     pub position: Vec3<F>,
     pub diffuse: Color<F>,
@@ -63,6 +68,7 @@ pub struct Light<F> {
 
 /// How a surface answers light.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize))]
 pub struct Material<F> {
     pub ka: Color<F>,
     pub kd: Color<F>,
@@ -77,6 +83,7 @@ pub struct Material<F> {
 
 /// The specular term's formula.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize))]
 pub enum Model {
     Phong,
     BlinnPhong,
@@ -84,6 +91,7 @@ pub enum Model {
 
 /// A shape and what covers it.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize))]
 pub struct Object<F> {
     pub shape: Shape<F>,
     pub cover: Cover<F>,
@@ -91,6 +99,7 @@ pub struct Object<F> {
 
 /// Which material, by its place in [`Scene::materials`], lies where.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize))]
 pub enum Cover<F> {
     Material(usize),
     /// The first material where the floors of the two world coordinates,
@@ -104,6 +113,7 @@ pub enum Cover<F> {
 
 /// An axis of the world.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize))]
 pub enum Axis {
     X,
     Y,

@@ -17,6 +17,7 @@ use crate::vec3::{Vec3, vec3};
 
 /// A surface in its own coordinates, moved to its center or origin.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize))]
 pub enum Shape<F> {
     Sphere {
         center: Vec3<F>,
@@ -62,7 +63,7 @@ impl<F: Float> Shape<F> {
     pub(crate) fn crossings(
         &self,
         ray: &Ray<F>,
-        start: Option<Vec3<F>>,
+        start: Option<&Vec3<F>>,
         reach: &mut Reach<F>,
         visit: &mut impl FnMut(F, Vec3<F>) -> F,
     ) {
@@ -85,56 +86,6 @@ impl<F: Float> Shape<F> {
                 reach.offer(foot - half, center, visit);
                 reach.offer(foot + half, center, visit);
             }
-            Shape::Ellipsoid { center, radii } => {
-                let scale = vec3(F::ONE / radii.x, F::ONE / radii.y, F::ONE / radii.z);
-                let o = (ray.origin - center).times(scale);
-                let d = ray.direction.times(scale);
-                let roots = roots(d.dot(d), o.dot(d), o.dot(o) - F::ONE, start.is_some());
-                for t in roots {
-                    reach.offer(t, center, visit);
-                }
-            }
-            Shape::Cylinder { origin, radius, y } => {
-                let (o, d) = (ray.origin - origin, ray.direction);
-                let a = d.x * d.x + d.z * d.z;
-                let b = o.x * d.x + o.z * d.z;
-                let c = o.x * o.x + o.z * o.z - radius * radius;
-                for t in roots(a, b, c, start.is_some()) {
-                    if is_between(o.y + t * d.y, y) {
-                        reach.offer(t, origin, visit);
-                    }
-                }
-            }
-            Shape::Cone {
-                origin,
-                radius,
-                height,
-                y,
-            } => {
-                let (o, d) = (ray.origin - origin, ray.direction);
-                let slope = radius / height;
-                let slope2 = slope * slope;
-                let below_apex = o.y - height;
-                let a = d.x * d.x + d.z * d.z - slope2 * d.y * d.y;
-                let b = o.x * d.x + o.z * d.z - slope2 * below_apex * d.y;
-                let c = o.x * o.x + o.z * o.z - slope2 * below_apex * below_apex;
-                for t in roots(a, b, c, start.is_some()) {
-                    if is_between(o.y + t * d.y, y) {
-                        reach.offer(t, origin, visit);
-                    }
-                }
-            }
-            Shape::Paraboloid { origin, y } => {
-                let (o, d) = (ray.origin - origin, ray.direction);
-                let a = d.x * d.x + d.z * d.z;
-                let b = o.x * d.x + o.z * d.z - F::lit(0.5) * d.y;
-                let c = o.x * o.x + o.z * o.z - o.y;
-                for t in roots(a, b, c, start.is_some()) {
-                    if is_between(o.y + t * d.y, y) {
-                        reach.offer(t, origin, visit);
-                    }
-                }
-            }
             Shape::Plane {
                 normal,
                 point,
@@ -149,11 +100,63 @@ impl<F: Float> Shape<F> {
                     return;
                 }
                 let t = height / sink;
-                if reach.holds(t) && is_within(ray, t, bounds) {
+                if reach.holds(t) && is_within(ray, t, &bounds) {
                     reach.offer(t, point, visit);
                 }
             }
-            Shape::Sphereflake(flake) => flake.crossings(ray, start, reach, visit),
+            Shape::Sphereflake(ref flake) => flake.crossings(ray, start, reach, visit),
+            Shape::Ellipsoid { center: origin, .. }
+            | Shape::Cylinder { origin, .. }
+            | Shape::Cone { origin, .. }
+            | Shape::Paraboloid { origin, .. } => {
+                for t in self.quadric(ray, start.is_some()) {
+                    reach.offer(t, origin, visit);
+                }
+            }
+        }
+    }
+
+    /// The crossings of one of the other quadrics, as of [`roots`]. Apart, as
+    /// spheres and planes would share their registers with it.
+    #[inline(never)]
+    fn quadric(&self, ray: &Ray<F>, on_surface: bool) -> [F; 2] {
+        match *self {
+            Shape::Ellipsoid { center, radii } => {
+                let scale = vec3(F::ONE / radii.x, F::ONE / radii.y, F::ONE / radii.z);
+                let o = (ray.origin - center).times(scale);
+                let d = ray.direction.times(scale);
+                roots(d.dot(d), o.dot(d), o.dot(o) - F::ONE, on_surface)
+            }
+            Shape::Cylinder { origin, radius, y } => {
+                let (o, d) = (ray.origin - origin, ray.direction);
+                let a = d.x * d.x + d.z * d.z;
+                let b = o.x * d.x + o.z * d.z;
+                let c = o.x * o.x + o.z * o.z - radius * radius;
+                between(o.y, d.y, y, roots(a, b, c, on_surface))
+            }
+            Shape::Cone {
+                origin,
+                radius,
+                height,
+                y,
+            } => {
+                let (o, d) = (ray.origin - origin, ray.direction);
+                let slope = radius / height;
+                let slope2 = slope * slope;
+                let below_apex = o.y - height;
+                let a = d.x * d.x + d.z * d.z - slope2 * d.y * d.y;
+                let b = o.x * d.x + o.z * d.z - slope2 * below_apex * d.y;
+                let c = o.x * o.x + o.z * o.z - slope2 * below_apex * below_apex;
+                between(o.y, d.y, y, roots(a, b, c, on_surface))
+            }
+            Shape::Paraboloid { origin, y } => {
+                let (o, d) = (ray.origin - origin, ray.direction);
+                let a = d.x * d.x + d.z * d.z;
+                let b = o.x * d.x + o.z * d.z - F::lit(0.5) * d.y;
+                let c = o.x * o.x + o.z * o.z - o.y;
+                between(o.y, d.y, y, roots(a, b, c, on_surface))
+            }
+            _ => [F::INFINITY; 2],
         }
     }
 
@@ -213,12 +216,23 @@ fn roots<F: Float>(a: F, b: F, c: F, on_surface: bool) -> [F; 2] {
     [sum / a, c / sum]
 }
 
+/// Leaves out the roots at which the ray is not within the limits of y.
+fn between<F: Float>(o: F, d: F, limits: Option<[F; 2]>, roots: [F; 2]) -> [F; 2] {
+    roots.map(|t| {
+        if is_between(o + t * d, limits) {
+            t
+        } else {
+            F::INFINITY
+        }
+    })
+}
+
 fn is_between<F: Float>(x: F, limits: Option<[F; 2]>) -> bool {
     limits.is_none_or(|[low, high]| low < x && x < high)
 }
 
-fn is_within<F: Float>(ray: &Ray<F>, t: F, bounds: [Option<[F; 2]>; 3]) -> bool {
-    let [x, y, z] = bounds;
+fn is_within<F: Float>(ray: &Ray<F>, t: F, bounds: &[Option<[F; 2]>; 3]) -> bool {
+    let [x, y, z] = *bounds;
     let (o, d) = (ray.origin, ray.direction);
     is_between(o.x + t * d.x, x) && is_between(o.y + t * d.y, y) && is_between(o.z + t * d.z, z)
 }

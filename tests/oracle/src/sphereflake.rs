@@ -9,6 +9,7 @@ use crate::vec3::{Vec3, vec3};
 
 /// The root sphere, and how the rest follow from it.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize))]
 pub struct Sphereflake<F> {
     pub center: Vec3<F>,
     pub radius: F,
@@ -61,7 +62,7 @@ impl<F: Float> Sphereflake<F> {
     pub(crate) fn crossings(
         &self,
         ray: &Ray<F>,
-        start: Option<Vec3<F>>,
+        start: Option<&Vec3<F>>,
         reach: &mut Reach<F>,
         visit: &mut impl FnMut(F, Vec3<F>) -> F,
     ) {
@@ -79,7 +80,7 @@ impl<F: Float> Sphereflake<F> {
     fn walk(
         &self,
         ray: &Ray<F>,
-        start: Option<Vec3<F>>,
+        start: Option<&Vec3<F>>,
         node: &Node<F>,
         reach: &mut Reach<F>,
         visit: &mut impl FnMut(F, Vec3<F>) -> F,
@@ -135,13 +136,13 @@ impl<F: Float> Sphereflake<F> {
 /// Offers one sphere's crossings.
 fn meet<F: Float>(
     ray: &Ray<F>,
-    start: Option<Vec3<F>>,
+    start: Option<&Vec3<F>>,
     node: &Node<F>,
     reach: &mut Reach<F>,
     visit: &mut impl FnMut(F, Vec3<F>) -> F,
 ) {
     let (foot, half2) = chord(ray, node.center, node.radius);
-    if start == Some(node.center) {
+    if start == Some(&node.center) {
         reach.offer(foot + foot, node.center, visit);
     } else if half2 >= F::ZERO {
         let half = half2.sqrt();

@@ -108,6 +108,7 @@ impl<F: Float> Scene<'_, F> {
         color
     }
 
+    #[inline(never)]
     fn nearest(&self, ray: &Ray<F>) -> Option<Hit<F>> {
         let mut reach = Reach {
             near: self.settings.epsilon,
@@ -153,6 +154,7 @@ impl<F: Float> Scene<'_, F> {
 
     /// What the surfaces between the ray's start and a light at this distance
     /// let through.
+    #[inline(never)]
     fn transmittance(&self, ray: &Ray<F>, distance: F) -> Color<F> {
         let mut reach = Reach {
             near: self.settings.epsilon,

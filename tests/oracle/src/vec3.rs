@@ -6,6 +6,7 @@ use crate::Float;
 
 /// A point or direction of right-handed space, y up.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize))]
 pub struct Vec3<F> {
     pub x: F,
     pub y: F,
