@@ -43,9 +43,19 @@ pub const LM3S6965EVB: Firmware = Firmware {
 /// The firmware that draws any scene, for each kind of core.
 pub const HEADLESS: [Firmware; 4] = [headless(V6M), headless(V7M), headless(V7EM), headless(V8M)];
 
+/// The yardstick in floating point, for each kind of core.
+pub const FLOAT: [Firmware; 4] = [float(V6M), float(V7M), float(V7EM), float(V8M)];
+
 pub(crate) const fn headless(target: &'static str) -> Firmware {
     Firmware {
         package: "headless",
+        target,
+    }
+}
+
+pub(crate) const fn float(target: &'static str) -> Firmware {
+    Firmware {
+        package: "float",
         target,
     }
 }

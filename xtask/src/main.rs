@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 use anyhow::{Result, bail};
 use lexopt::prelude::*;
-use xtask::qemu::{Core, Machine};
+use xtask::qemu::{Arithmetic, Core, Machine};
 use xtask::{firmware, qemu, size, test, tidy};
 
 const HELP: &str = "\
@@ -16,8 +16,9 @@ cargo xtask TASK
   qemu [SCENE] [--shot FILE.png] [--window]
                         Draws a scene on the OLED of the LM3S6965 board, in QEMU;
                         takes a screenshot, or shows the display in a window.
-  headless SCENE [--size WxH] [--core m0|m3|m4f|m7|m33]
-                        Draws a scene on a core, in QEMU, and prints what it took.
+  headless SCENE [--size WxH] [--core m0|m3|m4f|m7|m33] [--float]
+                        Draws a scene on a core, in QEMU, and prints what it took;
+                        in floating point for comparison.
   size                  Flash and RAM of each firmware.
   tidy                  Checks the rules of the source code.
 ";
@@ -67,7 +68,9 @@ fn headless(options: &Options) -> Result<()> {
         bail!("headless takes a scene");
     };
     let machine = Machine::of(options.core);
-    let report = machine.draw(&qemu::compile(&scene)?, &options.size)?;
+    let elf = machine.firmware(options.arithmetic).build(None)?;
+    let compiled = options.arithmetic.compile(&scene)?;
+    let report = machine.draw(&elf, &compiled, &options.size)?;
     print!("{report}");
     report.result().map(drop)
 }
@@ -78,6 +81,7 @@ struct Options {
     window: bool,
     size: String,
     core: Core,
+    arithmetic: Arithmetic,
 }
 
 impl Options {
@@ -88,6 +92,7 @@ impl Options {
             window: false,
             size: "320x240".into(),
             core: Core::M3,
+            arithmetic: Arithmetic::Fixed,
         };
         while let Some(argument) = arguments.next()? {
             match argument {
@@ -95,6 +100,7 @@ impl Options {
                 Long("window") => options.window = true,
                 Long("size") => options.size = arguments.value()?.string()?,
                 Long("core") => options.core = arguments.value()?.parse()?,
+                Long("float") => options.arithmetic = Arithmetic::Float,
                 Value(value) => options.values.push(value.string()?),
                 other => return Err(other.unexpected().into()),
             }

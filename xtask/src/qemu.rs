@@ -61,11 +61,11 @@ impl FromStr for Core {
     }
 }
 
-/// A board of QEMU's and the headless firmware for it.
+/// A board of QEMU's that draws scenes which the host gives it.
 #[derive(Clone, Copy, Debug)]
 pub struct Machine {
     name: &'static str,
-    firmware: Firmware,
+    target: &'static str,
 }
 
 impl Machine {
@@ -78,34 +78,60 @@ impl Machine {
             Core::M7 => ("mps2-an500", V7EM),
             Core::M33 => ("mps2-an505", V8M),
         };
-        Self {
-            name,
-            firmware: firmware::headless(target),
+        Self { name, target }
+    }
+
+    /// The firmware that draws for it.
+    pub fn firmware(self, arithmetic: Arithmetic) -> Firmware {
+        match arithmetic {
+            Arithmetic::Fixed => firmware::headless(self.target),
+            Arithmetic::Float => firmware::float(self.target),
         }
     }
 
-    /// Builds the firmware and draws a compiled scene with it.
-    pub fn draw(self, scene: &Path, size: &str) -> Result<Report> {
-        let elf = self.firmware.build(None)?;
+    /// Draws the scene in a file that [`Arithmetic::compile`] has made.
+    pub fn draw(self, elf: &Path, scene: &Path, size: &str) -> Result<Report> {
+        Running::start(self.drawing(elf, scene, size))?.finish()
+    }
+
+    /// QEMU, about to draw.
+    fn drawing(self, elf: &Path, scene: &Path, size: &str) -> Command {
         // A comma ends a value, unless doubled.
         let scene = scene.display().to_string().replace(',', ",,");
-        let mut qemu = firmware_in(self.name, &elf);
+        let mut qemu = firmware_in(self.name, elf);
         qemu.args(["-display", "none", "-chardev", "stdio,id=host"]);
         qemu.arg("-semihosting-config");
         qemu.arg(format!(
             "enable=on,target=native,chardev=host,arg={size},arg={scene}"
         ));
-        Running::start(qemu)?.finish()
+        qemu
     }
 }
 
-/// Compiles a scene file, to a file of its name.
-pub fn compile(scene: &Path) -> Result<PathBuf> {
-    let compiled = whitted_sim::scene_file::compile(scene)?;
-    let name = scene.file_name().unwrap_or_default();
-    let file = scratch_dir()?.join(name).with_extension("bin");
-    fs::write(&file, compiled)?;
-    Ok(file)
+/// What a scene is drawn in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Arithmetic {
+    /// Fixed point: by the library.
+    Fixed,
+    /// Floating point: by the yardstick.
+    Float,
+}
+
+impl Arithmetic {
+    /// Compiles a scene file for the firmware, to a file of its name.
+    pub fn compile(self, scene: &Path) -> Result<PathBuf> {
+        let (compiled, extension) = match self {
+            Self::Fixed => (whitted_sim::scene_file::compile(scene)?, "bin"),
+            Self::Float => {
+                let scene = whitted_oracle::load::<f32>(scene);
+                (postcard::to_stdvec(&scene.scene())?, "float.bin")
+            }
+        };
+        let name = scene.file_name().unwrap_or_default();
+        let file = scratch_dir()?.join(name).with_extension(extension);
+        fs::write(&file, compiled)?;
+        Ok(file)
+    }
 }
 
 /// Runs the OLED board's firmware until its picture is complete. The file for

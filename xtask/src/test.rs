@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use anyhow::{Result, bail};
 
 use crate::command::{self, cargo};
-use crate::firmware::{HEADLESS, LM3S6965EVB, V6M};
+use crate::firmware::{FLOAT, HEADLESS, LM3S6965EVB, V6M};
 use crate::{tidy, tools};
 
 type Step = (&'static str, fn() -> Result<()>);
@@ -73,7 +73,7 @@ fn clippy_host() -> Result<()> {
 /// The library where there is no standard library and the fewest instructions,
 /// and the firmware.
 fn clippy_thumb() -> Result<()> {
-    let firmware = [LM3S6965EVB].into_iter().chain(HEADLESS);
+    let firmware = [LM3S6965EVB].into_iter().chain(HEADLESS).chain(FLOAT);
     let packages = firmware.map(|firmware| (firmware.package, firmware.target));
     for (package, target) in [("whitted", V6M)].into_iter().chain(packages) {
         let mut clippy = cargo();

@@ -9,7 +9,7 @@ use embedded_graphics::prelude::*;
 use whitted::Renderer;
 use whitted_sim::{render, scene_file};
 use xtask::firmware::LM3S6965EVB;
-use xtask::qemu::{self, Core, Machine};
+use xtask::qemu::{self, Arithmetic, Core, Machine};
 use xtask::{root, scratch_dir};
 
 const OLED: Size = Size::new(128, 64);
@@ -161,10 +161,12 @@ fn every_core_draws_the_same_pictures() -> Result<()> {
         .map(|scene| (scene, Size::new(80, 60)));
     for (scene, size) in pictures.chain(large) {
         let expected = checksum(&scene, size)?;
-        let compiled = qemu::compile(&scene)?;
+        let compiled = Arithmetic::Fixed.compile(&scene)?;
+        let size = format!("{}x{}", size.width, size.height);
         for core in Core::ALL {
-            let report =
-                Machine::of(core).draw(&compiled, &format!("{}x{}", size.width, size.height))?;
+            let machine = Machine::of(core);
+            let elf = machine.firmware(Arithmetic::Fixed).build(None)?;
+            let report = machine.draw(&elf, &compiled, &size)?;
             report.result()?;
             assert_eq!(
                 report.get("checksum")?,

@@ -8,14 +8,28 @@ use crate::{Stopwatch, memory};
 /// What there is to tell about a frame and the firmware that drew it.
 pub struct Report {
     size: Size,
-    checksum: u32,
     instructions: u64,
     stack: usize,
+    checksum: Option<u32>,
+}
+
+impl Report {
+    /// Of a frame of this size that was drawn just now, and all that the
+    /// stopwatch counted for it.
+    pub fn new(size: Size, stopwatch: &Stopwatch) -> Self {
+        Self {
+            size,
+            instructions: stopwatch.instructions(),
+            stack: memory::peak_stack(),
+            checksum: None,
+        }
+    }
 }
 
 /// Draws a frame line by line, then traces it again for the checksum.
 ///
-/// Instructions and stack are those of the frame that is drawn: tracing,
+/// Instructions and stack are those of the frame that is drawn: whatever the
+/// stopwatch has seen before, such as the decoding of the scene, then tracing,
 /// conversion to the display's colors, and the display's driver.
 pub fn draw<D>(
     renderer: &mut Renderer<'_>,
@@ -27,17 +41,14 @@ where
     D::Color: Pixel,
 {
     let size = renderer.size();
-    stopwatch.restart();
     for y in 0..size.height {
         renderer.draw_line(y, target)?;
         stopwatch.lap();
     }
-    let stack = memory::peak_stack();
+    let report = Report::new(size, stopwatch);
     Ok(Report {
-        size,
-        checksum: checksum(renderer),
-        instructions: stopwatch.instructions(),
-        stack,
+        checksum: Some(checksum(renderer)),
+        ..report
     })
 }
 
@@ -56,7 +67,9 @@ impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Size { width, height } = self.size;
         writeln!(f, "size: {width}x{height}")?;
-        writeln!(f, "checksum: {:08x}", self.checksum)?;
+        if let Some(checksum) = self.checksum {
+            writeln!(f, "checksum: {checksum:08x}")?;
+        }
         writeln!(f, "instructions: {}", self.instructions)?;
         writeln!(f, "stack: {}", self.stack)?;
         writeln!(f, "flash: {}", memory::flash())?;

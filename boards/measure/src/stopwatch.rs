@@ -18,7 +18,7 @@ pub struct Stopwatch {
 }
 
 impl Stopwatch {
-    /// A stopwatch that runs; `nanoseconds_per_tick` is the core clock's period.
+    /// A stopwatch, started; `nanoseconds_per_tick` is the core clock's period.
     pub fn new(mut systick: SYST, nanoseconds_per_tick: u32) -> Self {
         systick.set_clock_source(SystClkSource::Core);
         systick.set_reload(MASK);
@@ -27,15 +27,9 @@ impl Stopwatch {
         Self {
             _systick: systick,
             nanoseconds_per_tick,
-            last: 0,
+            last: SYST::get_current(),
             ticks: 0,
         }
-    }
-
-    /// Back to 0.
-    pub fn restart(&mut self) {
-        self.last = SYST::get_current();
-        self.ticks = 0;
     }
 
     /// Adds what has passed since the last lap. SysTick has but 24 bits, so a
@@ -46,7 +40,7 @@ impl Stopwatch {
         self.last = now;
     }
 
-    /// Instructions from the last restart to the last lap.
+    /// Instructions from the start to the last lap.
     pub fn instructions(&self) -> u64 {
         self.ticks * u64::from(self.nanoseconds_per_tick)
     }
