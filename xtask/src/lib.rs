@@ -3,6 +3,7 @@
 //! A library, so that the tests in QEMU can build and run firmware with it.
 
 pub mod firmware;
+pub mod profile;
 pub mod qemu;
 pub mod report;
 pub mod size;
@@ -11,6 +12,7 @@ pub mod tidy;
 
 mod command;
 mod qmp;
+mod symbols;
 mod tools;
 
 use std::env;

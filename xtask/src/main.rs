@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use anyhow::{Result, bail};
 use lexopt::prelude::*;
 use xtask::qemu::{Arithmetic, Core, Machine};
-use xtask::{firmware, qemu, size, test, tidy};
+use xtask::{firmware, profile, qemu, size, test, tidy};
 
 const HELP: &str = "\
 cargo xtask TASK
@@ -19,6 +19,8 @@ cargo xtask TASK
   headless SCENE [--size WxH] [--core m0|m3|m4f|m7|m33] [--float]
                         Draws a scene on a core, in QEMU, and prints what it took;
                         in floating point for comparison.
+  profile SCENE [--core CORE] [--size WxH]
+                        Where the instructions of a frame go, by function and line.
   size                  Flash and RAM of each firmware.
   tidy                  Checks the rules of the source code.
 ";
@@ -44,6 +46,7 @@ fn task() -> Result<()> {
         "test" => test::run(&options.values),
         "qemu" => on_the_oled(&options),
         "headless" => headless(&options),
+        "profile" => profile(&options),
         "size" => size::print(),
         "tidy" => tidy::run(),
         _ => {
@@ -67,20 +70,30 @@ fn headless(options: &Options) -> Result<()> {
     let Some(scene) = options.scene()? else {
         bail!("headless takes a scene");
     };
-    let machine = Machine::of(options.core);
+    let machine = Machine::of(options.core.unwrap_or(Core::M3));
     let elf = machine.firmware(options.arithmetic).build(None)?;
+    let size = options.size.as_deref().unwrap_or("320x240");
     let compiled = options.arithmetic.compile(&scene)?;
-    let report = machine.draw(&elf, &compiled, &options.size)?;
+    let report = machine.draw(&elf, &compiled, size)?;
     print!("{report}");
     report.result().map(drop)
+}
+
+fn profile(options: &Options) -> Result<()> {
+    let Some(scene) = options.scene()? else {
+        bail!("profile takes a scene");
+    };
+    // Every instruction is logged.
+    let size = options.size.as_deref().unwrap_or("40x30");
+    profile::run(&scene, options.core.unwrap_or(Core::M3), size)
 }
 
 struct Options {
     values: Vec<String>,
     shot: Option<PathBuf>,
     window: bool,
-    size: String,
-    core: Core,
+    size: Option<String>,
+    core: Option<Core>,
     arithmetic: Arithmetic,
 }
 
@@ -90,16 +103,16 @@ impl Options {
             values: Vec::new(),
             shot: None,
             window: false,
-            size: "320x240".into(),
-            core: Core::M3,
+            size: None,
+            core: None,
             arithmetic: Arithmetic::Fixed,
         };
         while let Some(argument) = arguments.next()? {
             match argument {
                 Long("shot") => options.shot = Some(std::path::absolute(arguments.value()?)?),
                 Long("window") => options.window = true,
-                Long("size") => options.size = arguments.value()?.string()?,
-                Long("core") => options.core = arguments.value()?.parse()?,
+                Long("size") => options.size = Some(arguments.value()?.string()?),
+                Long("core") => options.core = Some(arguments.value()?.parse()?),
                 Long("float") => options.arithmetic = Arithmetic::Float,
                 Value(value) => options.values.push(value.string()?),
                 other => return Err(other.unexpected().into()),

@@ -7,9 +7,9 @@ use std::str::FromStr;
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::{Duration, Instant};
-use std::{env, fs, thread};
+use std::{env, fmt, fs, thread};
 
-use anyhow::{Context, Result, anyhow, bail};
+use anyhow::{Context, Result, bail};
 
 use crate::command::{command, run};
 use crate::firmware::{self, Firmware, V6M, V7EM, V7M, V8M};
@@ -27,7 +27,7 @@ const PATIENCE: Duration = Duration::from_secs(300);
 const END: &str = "end";
 
 /// A core that the headless firmware runs on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Core {
     /// Cortex-M0: its code, on an M3, as QEMU's only M0 has no memory to speak of.
     M0,
@@ -44,20 +44,47 @@ pub enum Core {
 impl Core {
     /// All of them.
     pub const ALL: [Self; 5] = [Self::M0, Self::M3, Self::M4f, Self::M7, Self::M33];
+
+    /// Its name for people.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::M0 => "Cortex-M0+",
+            Self::M3 => "Cortex-M3",
+            Self::M4f => "Cortex-M4F",
+            Self::M7 => "Cortex-M7",
+            Self::M33 => "Cortex-M33",
+        }
+    }
+
+    /// Whether it has floats in hardware.
+    pub fn has_fpu(self) -> bool {
+        !matches!(self, Self::M0 | Self::M3)
+    }
+}
+
+impl fmt::Display for Core {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::M0 => "m0",
+            Self::M3 => "m3",
+            Self::M4f => "m4f",
+            Self::M7 => "m7",
+            Self::M33 => "m33",
+        })
+    }
 }
 
 impl FromStr for Core {
     type Err = anyhow::Error;
 
     fn from_str(name: &str) -> Result<Self> {
-        match name {
-            "m0" => Ok(Self::M0),
-            "m3" => Ok(Self::M3),
-            "m4f" => Ok(Self::M4f),
-            "m7" => Ok(Self::M7),
-            "m33" => Ok(Self::M33),
-            _ => Err(anyhow!("there are the cores m0, m3, m4f, m7 and m33")),
-        }
+        let named = Self::ALL.into_iter().find(|core| core.to_string() == name);
+        named.with_context(|| {
+            format!(
+                "no core {name}; there are {}",
+                Self::ALL.map(|core| core.to_string()).join(", ")
+            )
+        })
     }
 }
 
@@ -95,7 +122,7 @@ impl Machine {
     }
 
     /// QEMU, about to draw.
-    fn drawing(self, elf: &Path, scene: &Path, size: &str) -> Command {
+    pub(crate) fn drawing(self, elf: &Path, scene: &Path, size: &str) -> Command {
         // A comma ends a value, unless doubled.
         let scene = scene.display().to_string().replace(',', ",,");
         let mut qemu = firmware_in(self.name, elf);
