@@ -2,6 +2,7 @@
 //!
 //! A library, so that the tests in QEMU can build and run firmware with it.
 
+pub mod bench;
 pub mod firmware;
 pub mod profile;
 pub mod qemu;

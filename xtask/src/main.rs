@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use anyhow::{Result, bail};
 use lexopt::prelude::*;
 use xtask::qemu::{Arithmetic, Core, Machine};
-use xtask::{firmware, profile, qemu, size, test, tidy};
+use xtask::{bench, firmware, profile, qemu, size, test, tidy};
 
 const HELP: &str = "\
 cargo xtask TASK
@@ -19,6 +19,11 @@ cargo xtask TASK
   headless SCENE [--size WxH] [--core m0|m3|m4f|m7|m33] [--float]
                         Draws a scene on a core, in QEMU, and prints what it took;
                         in floating point for comparison.
+  bench [--scene NAME] [--core CORE] [--json FILE]
+                        Counts the instructions of pictures on all cores, next to
+                        those in floating point; writes docs/benchmarks.md.
+  bench --check         Fails where a picture takes more than its budget.
+  bench --bless         Makes what pictures take now the budget.
   profile SCENE [--core CORE] [--size WxH]
                         Where the instructions of a frame go, by function and line.
   size                  Flash and RAM of each firmware.
@@ -46,6 +51,7 @@ fn task() -> Result<()> {
         "test" => test::run(&options.values),
         "qemu" => on_the_oled(&options),
         "headless" => headless(&options),
+        "bench" => bench(&options),
         "profile" => profile(&options),
         "size" => size::print(),
         "tidy" => tidy::run(),
@@ -79,6 +85,18 @@ fn headless(options: &Options) -> Result<()> {
     report.result().map(drop)
 }
 
+fn bench(options: &Options) -> Result<()> {
+    match (options.check, options.bless) {
+        (_, true) => bench::bless(),
+        (true, false) => bench::check(),
+        (false, false) => bench::run(
+            options.only_scene.as_deref(),
+            options.core,
+            options.json.as_deref(),
+        ),
+    }
+}
+
 fn profile(options: &Options) -> Result<()> {
     let Some(scene) = options.scene()? else {
         bail!("profile takes a scene");
@@ -94,6 +112,10 @@ struct Options {
     window: bool,
     size: Option<String>,
     core: Option<Core>,
+    json: Option<PathBuf>,
+    only_scene: Option<String>,
+    check: bool,
+    bless: bool,
     arithmetic: Arithmetic,
 }
 
@@ -105,6 +127,10 @@ impl Options {
             window: false,
             size: None,
             core: None,
+            json: None,
+            only_scene: None,
+            check: false,
+            bless: false,
             arithmetic: Arithmetic::Fixed,
         };
         while let Some(argument) = arguments.next()? {
@@ -113,6 +139,10 @@ impl Options {
                 Long("window") => options.window = true,
                 Long("size") => options.size = Some(arguments.value()?.string()?),
                 Long("core") => options.core = Some(arguments.value()?.parse()?),
+                Long("json") => options.json = Some(std::path::absolute(arguments.value()?)?),
+                Long("scene") => options.only_scene = Some(arguments.value()?.string()?),
+                Long("check") => options.check = true,
+                Long("bless") => options.bless = true,
                 Long("float") => options.arithmetic = Arithmetic::Float,
                 Value(value) => options.values.push(value.string()?),
                 other => return Err(other.unexpected().into()),

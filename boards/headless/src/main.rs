@@ -24,7 +24,9 @@ fn main() -> ! {
         (Ok(job), Some(core)) => {
             let stopwatch = Stopwatch::new(core.SYST, mps2::NANOSECONDS_PER_CLOCK);
             match draw(BUFFER, &job, stopwatch) {
-                Ok(report) => mps2::print(report),
+                Ok(report) => {
+                    mps2::print(format_args!("{report}file: {}\n", size_of::<File>()));
+                }
                 Err(error) => mps2::print(format_args!("error: {error}\n")),
             }
         }
