@@ -6,11 +6,11 @@ use anyhow::{Result, bail};
 
 use crate::command::{self, cargo};
 use crate::firmware::{FLOAT, HEADLESS, LM3S6965EVB, V6M};
-use crate::{tidy, tools};
+use crate::{bench, tidy, tools};
 
 type Step = (&'static str, fn() -> Result<()>);
 
-const STEPS: [Step; 8] = [
+const STEPS: [Step; 9] = [
     ("tools", tools::install),
     ("format", format),
     ("tidy", tidy::run),
@@ -19,6 +19,7 @@ const STEPS: [Step; 8] = [
     ("docs", docs),
     ("test-host", test_host),
     ("test-qemu", test_qemu),
+    ("budget", bench::check),
 ];
 
 /// Runs the steps whose names contain one of the words, or all. A step that

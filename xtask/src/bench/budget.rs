@@ -17,7 +17,7 @@ use crate::root;
 const CORES: [Core; 3] = [Core::M0, Core::M3, Core::M4f];
 
 /// How far a count may be from the budget, in percent.
-const TOLERANCE: f64 = 1.0;
+const TOLERANCE: u64 = 1;
 
 /// Instructions by picture and core, `four_spheres 320x240 m3`.
 type Counts = BTreeMap<String, u64>;
@@ -93,8 +93,8 @@ fn judge(budget: &Counts, counted: &Counts) -> Verdict {
     for (name, now) in counted {
         let allowed = budget.get(name).copied().unwrap_or(0);
         let percent = 100.0 * (*now as f64 / allowed as f64 - 1.0);
-        let is_over = percent > TOLERANCE;
-        let is_under = percent < -TOLERANCE;
+        let is_over = now * 100 > allowed * (100 + TOLERANCE);
+        let is_under = now * 100 < allowed * (100 - TOLERANCE);
         let mark = match (is_over, is_under) {
             (true, _) => "OVER",
             (_, true) => "under",
