@@ -222,11 +222,11 @@ fn a_gallery_shows_scenes() -> Outcome {
     );
     let between = [
         at(7, 8),
-        at(200, 8),
-        at(207, 8),
-        at(400, 8),
+        at(168, 8),
+        at(175, 8),
+        at(336, 8),
         at(8, 7),
-        at(8, 152),
+        at(8, 128),
     ];
     assert_eq!(between, [Color::new(0x2020, 0x2020, 0x2020); 6]);
 
