@@ -1,4 +1,4 @@
-//! Compiles the scene that goes into flash, and shows the linker memory.x.
+//! Compiles the scene that goes into flash.
 
 use std::path::{Path, PathBuf};
 use std::{env, error::Error, fs};
@@ -7,8 +7,7 @@ use std::{env, error::Error, fs};
 /// the default scene. A file that is not TOML is taken for a compiled scene.
 fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-env-changed=SCENE");
-    println!("cargo::rerun-if-changed=memory.x");
-    println!("cargo::rustc-link-search={}", env!("CARGO_MANIFEST_DIR"));
+    println!("cargo::rerun-if-changed=../../memory.x");
 
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let scene = root.join(env::var_os("SCENE").unwrap_or_else(|| "scenes/whitted.toml".into()));
