@@ -18,6 +18,39 @@ impl Object {
         }
     }
 
+    /// A sphereflake of one material: upright, its spheres a third of those that
+    /// they touch.
+    ///
+    /// ```
+    /// use whitted::{Camera, MaterialId, Object, Real, Scene, SceneBuffer, Vec3, Material};
+    ///
+    /// let camera = Camera::new(Vec3::lit("0", "2", "8"), Vec3::lit("0", "0", "0"), Real::lit("33"));
+    /// let scene = Scene {
+    ///     materials: &[Material::BLACK],
+    ///     objects: &[Object::sphereflake(Vec3::lit("0", "0", "0"), Real::ONE, 6, MaterialId(0))],
+    ///     ..Scene::new(camera)
+    /// };
+    /// let mut buffer = SceneBuffer::<1, 0, 1>::new(); // 3,257,437 spheres
+    /// assert!(buffer.prepare(&scene).is_ok());
+    /// ```
+    pub const fn sphereflake(
+        center: Vec3<Real>,
+        radius: Real,
+        depth: u8,
+        material: MaterialId,
+    ) -> Self {
+        Self {
+            shape: Shape::Sphereflake {
+                center,
+                radius,
+                depth,
+                ratio: Shape::THIRD,
+                frame: Shape::UPRIGHT,
+            },
+            texture: Texture::Uniform(material),
+        }
+    }
+
     /// An endless level floor through `y`, seen from above.
     pub const fn floor(y: Real, texture: Texture) -> Self {
         Self {
