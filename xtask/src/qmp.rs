@@ -39,13 +39,16 @@ impl Monitor {
     }
 
     fn execute(&mut self, command: &str) -> Result<()> {
-        writeln!(self.answers.get_mut(), "{command}")?;
+        // At once: QEMU obeys at the last bracket, and may have quit before a
+        // line end that comes by itself.
+        let command = format!("{command}\n");
+        self.answers.get_mut().write_all(command.as_bytes())?;
         let mut line = String::new();
         // Greeting and events come in between.
         while !line.starts_with(r#"{"return""#) {
             line.clear();
             if self.answers.read_line(&mut line)? == 0 || line.starts_with(r#"{"error""#) {
-                bail!("QEMU does not {command}: {line}");
+                bail!("QEMU does not {}: {line}", command.trim_end());
             }
         }
         Ok(())
