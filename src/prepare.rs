@@ -19,7 +19,7 @@ use crate::texture::{Checker, Texture};
 use crate::vector::direction;
 use crate::{Axis, Color, Item, Problem, Real, Scene, SceneError, Shading};
 
-use frame::{Frame, cross};
+use frame::Frame;
 use shape::shape;
 
 /// Prepares a scene into `room`.
@@ -69,13 +69,13 @@ fn camera(camera: &scene::Camera, frame: &Frame) -> Result<Camera, SceneError> {
     let view = camera.look_at - camera.eye;
     let forward = direction(view.map(Real::to_bits)).ok_or(error("look_at", Problem::NoView))?;
     let up = direction(camera.up.map(Real::to_bits)).ok_or(error("up", Problem::NoDirection))?;
-    let right = cross(forward, up);
+    let right = forward.cross(up);
     // The sine between the two, in 2^-60.
     if right.x.abs().max(right.y.abs()).max(right.z.abs()) < 1 << 44 {
         return Err(error("up", Problem::AlongView));
     }
     let right = direction(right).ok_or(error("up", Problem::AlongView))?;
-    let up = direction(cross(right, forward)).ok_or(error("up", Problem::AlongView))?;
+    let up = direction(right.cross(forward)).ok_or(error("up", Problem::AlongView))?;
     Ok(Camera {
         eye: frame.point(camera.eye),
         forward,

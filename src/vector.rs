@@ -156,6 +156,16 @@ impl Vec3<Unit> {
         self.x.wide_mul(other.x) + self.y.wide_mul(other.y) + self.z.wide_mul(other.z)
     }
 
+    /// The cross product, exact: `I2F30^2 -> I4F60`.
+    pub(crate) fn cross(self, other: Self) -> Vec3<i64> {
+        let minor = |p: Unit, q: Unit, r: Unit, s: Unit| (p.wide_mul(q) - r.wide_mul(s)).to_bits();
+        Vec3::new(
+            minor(self.y, other.z, self.z, other.y),
+            minor(self.z, other.x, self.x, other.z),
+            minor(self.x, other.y, self.y, other.x),
+        )
+    }
+
     /// The cosine between two unit vectors.
     #[inline(always)]
     pub(crate) fn cosine(self, other: Self) -> Unit {

@@ -224,13 +224,3 @@ fn shifted(x: i128, shift: i32) -> i128 {
         (x + (1 << (-shift - 1))) >> -shift
     }
 }
-
-/// The cross product, exact: `I2F30^2 -> I4F60`.
-pub(super) fn cross(a: Vec3<Unit>, b: Vec3<Unit>) -> Vec3<i64> {
-    let minor = |p: Unit, q: Unit, r: Unit, s: Unit| (p.wide_mul(q) - r.wide_mul(s)).to_bits();
-    Vec3::new(
-        minor(a.y, b.z, a.z, b.y),
-        minor(a.z, b.x, a.x, b.z),
-        minor(a.x, b.y, a.y, b.x),
-    )
-}

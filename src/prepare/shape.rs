@@ -11,7 +11,7 @@ use crate::shape::{
 use crate::vector::direction;
 use crate::{Item, Problem, Real, SceneError, Vec3};
 
-use super::frame::{Frame, cone_radius, cross};
+use super::frame::{Frame, cone_radius};
 use super::range::{self, fail};
 
 pub(super) fn shape(shape: &scene::Shape, frame: &Frame, item: Item) -> Result<Shape, SceneError> {
@@ -208,10 +208,10 @@ fn orthonormal([u, v, w]: [Vec3<Real>; 3]) -> Option<[Vec3<Unit>; 2]> {
     }
     let [u, v, w] = [u, v, w].map(|row| direction(row.map(Real::to_bits)));
     let (u, v, w) = (u?, v?, w?);
-    let exact = direction(cross(u, v))?;
+    let exact = direction(u.cross(v))?;
     // Within some thousandths of the row itself.
     if exact.dot(w).to_bits() < (1 << 60) - (1 << 50) * 16 {
         return None;
     }
-    Some([u, direction(cross(exact, u))?])
+    Some([u, direction(exact.cross(u))?])
 }

@@ -98,14 +98,7 @@ impl Sphereflake {
     /// u, v and w of the largest sphere.
     pub(super) fn axes(&self) -> [Vec3<Unit>; 3] {
         let [u, v] = self.frame;
-        let minor = |p: Unit, q: Unit, r: Unit, s: Unit| {
-            round_unit((p.wide_mul(q) - r.wide_mul(s)).to_bits(), 30)
-        };
-        let w = Vec3::new(
-            minor(u.y, v.z, u.z, v.y),
-            minor(u.z, v.x, u.x, v.z),
-            minor(u.x, v.y, u.y, v.x),
-        );
+        let w = u.cross(v).map(|c| round_unit(c, 30));
         [u, v, w]
     }
 }
