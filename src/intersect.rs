@@ -11,7 +11,7 @@ use crate::num::{Length, NEAR_LIMIT, Scaled, Unit};
 use crate::observer::Observer;
 use crate::prepared::{Object, PreparedScene};
 use crate::ray::{Point, Ray};
-use crate::shape::{Path, Quadric, Shape, Sight, Sphereflake, StartSphere};
+use crate::shape::{Path, Quadric, Shape, Sight, Sphereflake};
 
 /// The nearest point of a ray on a surface.
 #[derive(Clone, Copy, Debug)]
@@ -20,10 +20,11 @@ pub(crate) struct Hit<'s> {
     /// The object's number.
     pub(crate) index: u16,
     pub(crate) point: Point,
+    /// Of a sphereflake; of any other object it says nothing.
     pub(crate) part: Part,
 }
 
-/// Of a sphereflake: the sphere, and its normal at the point.
+/// The sphere of a sphereflake, and its normal at the point.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Part {
     pub(crate) path: Path,
@@ -45,7 +46,7 @@ pub(crate) fn nearest<'s>(
     let seen = scene.objects.iter().enumerate();
     let seen = seen.map(|(index, object)| (index, object, object.shape.sight(from)));
     let nearest = nearest_near(seen, ray);
-    finish(nearest, scene.objects, ray)
+    or_far(nearest, scene.objects, ray)
 }
 
 /// The same for an eye ray, whose origin has looked at each object before.
@@ -61,11 +62,11 @@ pub(crate) fn nearest_to_eye<'s>(
         seen.map(|(index, (object, sight))| (index, object, sight)),
         ray,
     );
-    finish(nearest, scene.objects, ray)
+    or_far(nearest, scene.objects, ray)
 }
 
 #[inline(always)]
-fn finish<'s>(nearest: Option<Nearest<'s>>, objects: &'s [Object], ray: &Ray) -> Option<Hit<'s>> {
+fn or_far<'s>(nearest: Option<Nearest<'s>>, objects: &'s [Object], ray: &Ray) -> Option<Hit<'s>> {
     match nearest {
         Some(nearest) => Some(nearest.hit(ray)),
         None => nearest_far(objects, ray),
@@ -150,7 +151,7 @@ fn flake_distance(
     limit: Length,
     part: &mut Part,
 ) -> Option<Length> {
-    let meeting = flake.nearest(ray, is_start.then(|| StartSphere::of(&ray.start)), limit)?;
+    let meeting = flake.nearest(ray, is_start.then_some(ray.start), limit)?;
     let distance = meeting.distance();
     if distance < limit {
         *part = Part {

@@ -39,11 +39,11 @@ impl<'s> Surface<'s> {
             point,
             part,
         } = *hit;
-        let (normal, open) = match &object.shape {
-            Shape::Sphere(sphere) => (sphere.normal(point.coordinates), false),
-            Shape::Plane(plane) => (plane.normal, plane.bounds.is_some()),
-            Shape::Quadric(quadric) => (quadric.normal(point), quadric.is_open()),
-            Shape::Sphereflake(_) => (part.normal, false),
+        let (normal, open, path) = match &object.shape {
+            Shape::Sphere(sphere) => (sphere.normal(point.coordinates), false, 0),
+            Shape::Plane(plane) => (plane.normal, plane.bounds.is_some(), 0),
+            Shape::Quadric(quadric) => (quadric.normal(point), quadric.is_open(), 0),
+            Shape::Sphereflake(_) => (part.normal, false, part.path),
         };
         let cosine = ray.direction.cosine(normal);
         let inside = cosine > Unit::ZERO;
@@ -53,7 +53,7 @@ impl<'s> Surface<'s> {
             cosine: cosine.abs(),
             material: scene.material(object.texture.material(point)),
             object: index,
-            part: part.path,
+            part: path,
             inside,
             open,
         }

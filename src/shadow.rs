@@ -8,7 +8,7 @@ use crate::num::{Factor, Length, Unit};
 use crate::observer::{Observer, RayKind};
 use crate::prepared::{Light, Object, PreparedScene};
 use crate::ray::{Point, Ray, Start};
-use crate::shape::{Plane, Quadric, Shape, Sight, Sphere, StartSphere};
+use crate::shape::{Plane, Quadric, Shape, Sight, Sphere};
 use crate::texture::Texture;
 use crate::{Color, Vec3};
 
@@ -82,7 +82,7 @@ pub(crate) fn transmittance(
             continue;
         }
         if is_start || !blocks(scene, object) {
-            left = passed(scene, shadow, object, is_start, left);
+            left = passed(scene, shadow, (object, sight), is_start, left);
             if !left.is_black() {
                 continue;
             }
@@ -112,17 +112,17 @@ fn blocks(scene: &PreparedScene<'_>, object: &Object) -> bool {
 fn passed(
     scene: &PreparedScene<'_>,
     shadow: &ShadowRay<'_>,
-    object: &Object,
+    (object, sight): (&Object, &Sight),
     is_start: bool,
     mut left: Color<Factor>,
 ) -> Color<Factor> {
     let crossings = match &object.shape {
-        Shape::Sphere(sphere) => sphere_crossings(sphere, shadow, is_start),
+        Shape::Sphere(sphere) => sphere_crossings(sphere, sight, shadow, is_start),
         Shape::Plane(plane) => [plane_crossing(plane, shadow), None],
         Shape::Quadric(quadric) => quadric_crossings(quadric, shadow, is_start),
         Shape::Sphereflake(flake) => {
             let ray = shadow.ray();
-            let from = is_start.then(|| StartSphere::of(&shadow.start));
+            let from = is_start.then_some(shadow.start);
             flake.crossings(&ray, from, shadow.distance(), &mut |distance| {
                 left = left.filtered(scene.transmitted(object, ray.at(distance)));
                 !left.is_black()
@@ -136,8 +136,13 @@ fn passed(
     left
 }
 
-fn sphere_crossings(sphere: &Sphere, shadow: &ShadowRay<'_>, is_start: bool) -> [Option<Point>; 2] {
-    let [entry, exit] = sphere.crossings(&sphere.sight(shadow.light.position), shadow.direction);
+fn sphere_crossings(
+    sphere: &Sphere,
+    sight: &Sight,
+    shadow: &ShadowRay<'_>,
+    is_start: bool,
+) -> [Option<Point>; 2] {
+    let [entry, exit] = sphere.crossings(sight, shadow.direction);
     let ray = shadow.ray();
     let before = |distance: &Length| *distance > Length::ZERO && *distance < shadow.distance();
     // From the inside of a sphere the exit is the lit point itself.
@@ -146,7 +151,7 @@ fn sphere_crossings(sphere: &Sphere, shadow: &ShadowRay<'_>, is_start: bool) -> 
 }
 
 fn plane_crossing(plane: &Plane, shadow: &ShadowRay<'_>) -> Option<Point> {
-    let point = if plane.is_near(*shadow.point) {
+    let point = if plane.may_hold(*shadow.point) {
         *shadow.point
     } else {
         let ray = shadow.ray();

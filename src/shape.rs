@@ -17,7 +17,7 @@ pub(crate) use plane::{Bounds, Plane};
 pub(crate) use quadric::{Cone, Cylinder, Ellipsoid, Form, Paraboloid, Quadric};
 pub(crate) use sight::Sight;
 pub(crate) use sphere::Sphere;
-pub(crate) use sphereflake::{MAX_DEPTH as MAX_FLAKE_DEPTH, Parts, Path, Sphereflake, StartSphere};
+pub(crate) use sphereflake::{MAX_DEPTH as MAX_FLAKE_DEPTH, Parts, Path, Sphereflake};
 
 /// What a shape can be.
 #[derive(Clone, Copy, Debug)]

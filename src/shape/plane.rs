@@ -42,6 +42,9 @@ impl Bounds {
     }
 }
 
+/// A point of the plane is so deep in it at most.
+const ROUNDING: i64 = 2;
+
 impl Plane {
     /// How far behind the plane a point is, in the point's steps; negative in
     /// front, where the normal points.
@@ -61,9 +64,8 @@ impl Plane {
     }
 
     /// Whether a point may be on the plane, but for rounding.
-    #[inline]
-    pub(crate) fn is_near(&self, point: Point) -> bool {
-        self.depth(point).abs() <= 2
+    pub(crate) fn may_hold(&self, point: Point) -> bool {
+        self.depth(point).abs() <= ROUNDING
     }
 
     /// Whether a light and a point are on different sides: no distance is
@@ -74,7 +76,7 @@ impl Plane {
     #[inline]
     pub(crate) fn is_between(&self, light: &Sight, point: Point, view: Vec3<Unit>) -> bool {
         let (from, to) = (light.depth, self.depth(point));
-        if to.abs() <= 2 {
+        if to.abs() <= ROUNDING {
             return self.is_seen_from_beyond(from, view);
         }
         from ^ to < 0 && from != 0

@@ -36,36 +36,14 @@ impl Meeting {
     }
 }
 
-/// The sphere that a ray starts on.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct StartSphere {
-    pub(crate) path: Path,
-    /// Whether the ray runs through the inside of that sphere.
-    pub(crate) inward: bool,
-}
-
-impl StartSphere {
-    /// Of a ray that starts on a flake.
-    pub(crate) fn of(start: &Start) -> Self {
-        Self {
-            path: start.part,
-            inward: start.inward,
-        }
-    }
-}
-
 impl Sphereflake {
-    /// The nearest hit ahead, if it is below `limit`.
-    pub(crate) fn nearest(
-        &self,
-        ray: &Ray,
-        from: Option<StartSphere>,
-        limit: Length,
-    ) -> Option<Meeting> {
+    /// The nearest hit ahead, if it is below `limit`, of a ray that starts
+    /// `from` one of the spheres or elsewhere.
+    pub(crate) fn nearest(&self, ray: &Ray, from: Option<Start>, limit: Length) -> Option<Meeting> {
         let mut reach = i64::from(limit.to_bits()) << 28;
         let mut nearest = None;
-        if let Some(StartSphere { path, inward: true }) = from {
-            let across = self.across(ray, path).filter(|it| it.distance < reach);
+        if let Some(from) = from.filter(|from| from.inward) {
+            let across = self.across(ray, from.part).filter(|it| it.distance < reach);
             reach = across.map_or(reach, |it| it.distance);
             nearest = across;
         }
@@ -74,7 +52,7 @@ impl Sphereflake {
             let distance = ends.into_iter().find(|distance| *distance > 0);
             if let Some(distance) = distance
                 && distance < reach
-                && from.is_none_or(|from| from.path != chord.path)
+                && from.is_none_or(|from| from.part != chord.path)
             {
                 reach = distance;
                 nearest = Some(Meeting {
@@ -110,16 +88,16 @@ impl Sphereflake {
     pub(crate) fn crossings(
         &self,
         ray: &Ray,
-        from: Option<StartSphere>,
+        from: Option<Start>,
         reach: Length,
         visit: &mut dyn FnMut(Length) -> bool,
     ) {
         let reach = i64::from(reach.to_bits()) << 28;
         self.walk(ray, reach, &mut |chord| {
-            let ends = match from.filter(|from| from.path == chord.path) {
+            let ends = match from.filter(|from| from.part == chord.path) {
                 None => [chord.entry, chord.exit],
                 // The light is on the inside, too, or comes in at the entry.
-                Some(StartSphere { inward: true, .. }) => [chord.entry, 0],
+                Some(Start { inward: true, .. }) => [chord.entry, 0],
                 Some(_) => [0, 0],
             };
             for distance in ends {
