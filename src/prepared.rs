@@ -160,6 +160,7 @@ mod tests {
     #[test]
     fn items_take_as_many_bytes_as_documented() {
         assert_eq!(size_of::<Object>(), 104);
+        assert_eq!(size_of::<Sight>(), 24);
         assert_eq!(size_of::<Light>(), 24);
         assert_eq!(size_of::<Material>(), 52);
     }

@@ -350,25 +350,25 @@ fn sphereflakes() {
         })
     };
     assert_eq!(
-        flake("0", 1, "0.3", Shape::UPRIGHT),
+        flake("0", 1, "0.3", Shape::FLAKE_FRAME),
         "object 1: radius must be from 0.000001 to 16777216"
     );
     assert_eq!(
-        flake("1", 9, "0.5", Shape::UPRIGHT),
+        flake("1", 9, "0.5", Shape::FLAKE_FRAME),
         "object 1: depth must be from 0 to 8"
     );
     // The smallest spheres would be a hundred-thousandth.
     assert_eq!(
-        flake("1", 5, "0.1", Shape::UPRIGHT),
+        flake("1", 5, "0.1", Shape::FLAKE_FRAME),
         "object 1: depth must be from 0 to 4"
     );
     for ratio in ["0.09", "0.51"] {
         assert_eq!(
-            flake("1", 1, ratio, Shape::UPRIGHT),
+            flake("1", 1, ratio, Shape::FLAKE_FRAME),
             "object 1: ratio must be from 0.1 to 0.5"
         );
     }
-    let [u, v, w] = Shape::UPRIGHT;
+    let [u, v, w] = Shape::FLAKE_FRAME;
     let long = Vec3::lit("1.1", "0", "0");
     let slanted = Vec3::lit("0.1", "0", "-0.995");
     for frame in [

@@ -260,7 +260,7 @@ fn every_shape_is_read() -> Result<(), Box<dyn Error>> {
             origin: at,
             y: [four, five],
         },
-        flake(Shape::THIRD, Shape::UPRIGHT),
+        flake(Shape::FLAKE_RATIO, Shape::FLAKE_FRAME),
         // As it is written, which is not a third.
         flake(real("0.333333333"), turned),
     ];

@@ -27,7 +27,7 @@ fn reference(name: &str) -> Result<SceneFile, Box<dyn Error>> {
 fn exact(object: &mut Object) {
     if let Shape::Sphereflake { ratio, .. } = &mut object.shape {
         assert_eq!(*ratio, Real::lit("0.333333333"));
-        *ratio = Shape::THIRD;
+        *ratio = Shape::FLAKE_RATIO;
     }
 }
 

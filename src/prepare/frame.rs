@@ -84,7 +84,7 @@ impl Extent {
                 ratio,
                 ..
             } => {
-                let bound = Sphereflake::bound(U0F32::from_bits(ratio.to_bits() as u32), depth);
+                let bound = Sphereflake::bound(below_one(ratio), depth);
                 let reach = i128::from(radius.to_bits()) * i128::from(bound.to_bits());
                 self.add(center, around((reach >> 29) as i64 + 1));
             }
@@ -102,6 +102,11 @@ impl Extent {
             self.add(center, Vec3::new(radius, 0, radius));
         }
     }
+}
+
+/// The fraction of a number.
+pub(super) fn below_one(x: Real) -> U0F32 {
+    U0F32::from_bits(x.to_bits() as u32)
 }
 
 /// The radius of a cone at a height, below 0 beyond the apex, in the bits of a

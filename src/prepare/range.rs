@@ -50,12 +50,10 @@ pub(super) fn interval(item: Item, field: &'static str, ends: [Real; 2]) -> Resu
     }
 }
 
-/// A paraboloid must be as wide, where it ends, as any size.
+/// A paraboloid must be as high and, where it ends, as wide as any size.
 pub(super) fn least_rise(item: Item, y: [Real; 2], frame: &Frame) -> Result<(), SceneError> {
     let least = frame.smallest().max(SMALLEST);
-    let least = [least, least.saturating_mul(least), SMALLEST]
-        .into_iter()
-        .fold(Real::ZERO, Real::max);
+    let least = least.max(least.saturating_mul(least));
     range(item, "y[1]", y[1], [least, FARTHEST])
 }
 

@@ -1,6 +1,6 @@
 //! Each surface in the formats of tracing.
 
-use fixed::types::{I8F56, U0F32};
+use fixed::types::I8F56;
 
 use crate::num::{Length, Unit};
 use crate::scene;
@@ -11,7 +11,7 @@ use crate::shape::{
 use crate::vector::direction;
 use crate::{Item, Problem, Real, SceneError, Vec3};
 
-use super::frame::{Frame, cone_radius};
+use super::frame::{Frame, below_one, cone_radius};
 use super::range::{self, fail};
 
 pub(super) fn shape(shape: &scene::Shape, frame: &Frame, item: Item) -> Result<Shape, SceneError> {
@@ -89,7 +89,7 @@ pub(super) fn shape(shape: &scene::Shape, frame: &Frame, item: Item) -> Result<S
             ratio,
             frame: axes,
         } => {
-            let ratio = U0F32::from_bits(ratio.to_bits() as u32);
+            let ratio = below_one(ratio);
             least_size("radius", radius)?;
             range::least_sphere(item, radius, ratio, depth, frame)?;
             let Some(axes) = orthonormal(axes) else {

@@ -44,8 +44,8 @@ impl Object {
                 center,
                 radius,
                 depth,
-                ratio: Shape::THIRD,
-                frame: Shape::UPRIGHT,
+                ratio: Shape::FLAKE_RATIO,
+                frame: Shape::FLAKE_FRAME,
             },
             texture: Texture::Uniform(material),
         }
@@ -140,11 +140,11 @@ pub enum Shape {
 
 impl Shape {
     /// The usual ratio of a sphereflake: 1/3.
-    pub const THIRD: Real = Real::from_bits(0x5555_5555);
+    pub const FLAKE_RATIO: Real = Real::from_bits(0x5555_5555);
 
     /// The usual frame of a sphereflake, its poles up and down: u = +x, v = -z,
     /// w = +y.
-    pub const UPRIGHT: [Vec3<Real>; 3] = [
+    pub const FLAKE_FRAME: [Vec3<Real>; 3] = [
         Vec3::new(Real::ONE, Real::ZERO, Real::ZERO),
         Vec3::new(Real::ZERO, Real::ZERO, Real::NEG_ONE),
         Vec3::new(Real::ZERO, Real::ONE, Real::ZERO),

@@ -27,11 +27,11 @@ fn read(keys: &Keys<'_>) -> Result<Shape, LoadError> {
         depth: need("depth")?.count(MOST_DEPTH)?,
         ratio: match keys.get("ratio") {
             Some(ratio) => ratio.number()?,
-            None => Shape::THIRD,
+            None => Shape::FLAKE_RATIO,
         },
         frame: match keys.get("frame") {
             Some(rows) => frame(&rows)?,
-            None => Shape::UPRIGHT,
+            None => Shape::FLAKE_FRAME,
         },
     })
 }
