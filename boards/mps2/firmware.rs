@@ -1,5 +1,5 @@
-//! Tells memory.x which board the firmware is for: only the an505 has a core of
-//! ARMv8-M.
+//! The build script of firmware for these boards: tells memory.x which of them it
+//! is for. Only the an505 has a core of ARMv8-M.
 
 use std::env;
 
