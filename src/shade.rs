@@ -96,11 +96,7 @@ impl<'s> Surface<'s> {
                 length: round_length(way.along(to_light).to_bits(), 30),
                 point: &self.point,
                 view: &ray.direction,
-                start: Start {
-                    object: self.object,
-                    part: self.part,
-                    inward: self.inside,
-                },
+                start: self.start(self.inside),
             };
             let left = transmittance(scene, &shadow, observer);
             observer.shadow(index as u16, left.map(share));
@@ -206,16 +202,22 @@ impl<'s> Surface<'s> {
         self.bounce(refraction, !self.inside)
     }
 
+    /// What a ray that starts here must not meet again.
+    #[inline]
+    fn start(&self, inward: bool) -> Start {
+        Start {
+            object: self.object,
+            part: self.part,
+            inward,
+        }
+    }
+
     #[inline]
     fn bounce(&self, direction: Vec3<Unit>, inward: bool) -> Ray {
         Ray {
             origin: self.point,
             direction,
-            start: Start {
-                object: self.object,
-                part: self.part,
-                inward,
-            },
+            start: self.start(inward),
         }
     }
 }
