@@ -180,22 +180,21 @@ fn evaluate([c0, c1, c2]: Quadratic, x: i32) -> u32 {
     (c0 + (((c1 + ((c2 * x) >> 14)) * x) >> 14)) as u32
 }
 
-/// 1/x for x in [1/2, 1) as `U0F32`: in (1, 2] as `U1F31`, the 2 saturated.
+/// 1/x for x in [1/2, 1) as `U0F32`: in (1, 2] as `U1F31`.
 ///
 /// Relative error below 2^-30.
 #[inline]
 pub(crate) fn reciprocal(x: u32) -> u32 {
     debug_assert!(x >> 31 == 1);
     let segment = RECIPROCAL[(x >> 26) as usize & (SEGMENTS - 1)];
-    let y = evaluate(segment, (x >> 12) as i32 & 0x3fff) << 11;
+    let y = evaluate(segment, (x >> 12) as i32 & 0x3fff);
     // e = 1 - x*y: U0F32 * U1F31 -> Q63, and |e| < 2^-16 leaves 47 bits of it.
-    let e = (1_i64 << 63).wrapping_sub(wide(x, y) as i64) >> 16;
+    let error = !((wide(x, y << 11) >> 16) as u32) as i32;
     // y + y*e: U1F31 * Q47 -> U1F31
-    let step = (i64::from(y) * i64::from(e as i32)) >> 47;
-    saturate(i64::from(y) + step)
+    refined(y, error)
 }
 
-/// 1/sqrt(x) for x in [1/4, 1) as `U0F32`: in (1, 2] as `U1F31`, the 2 saturated.
+/// 1/sqrt(x) for x in [1/4, 1) as `U0F32`: in (1, 2] as `U1F31`.
 ///
 /// Relative error below 2^-30.
 #[inline]
@@ -203,18 +202,21 @@ pub(crate) fn reciprocal_root(x: u32) -> u32 {
     debug_assert!(x >> 30 != 0);
     // 16 to 63, less 16; `min` tells the compiler that the index is in range.
     let index = ((x >> 26) as usize).wrapping_sub(16).min(ROOT_SEGMENTS - 1);
-    let y = evaluate(RECIPROCAL_ROOT[index], (x >> 12) as i32 & 0x3fff) << 11;
+    let y = evaluate(RECIPROCAL_ROOT[index], (x >> 12) as i32 & 0x3fff);
     // e = 1 - x*y*y: U1F31^2 -> U2F30, * U0F32 -> Q62, and |e| < 2^-15 leaves 48 bits of it.
-    let square = (wide(y, y) >> 32) as u32;
-    let e = (1_i64 << 62).wrapping_sub(wide(x, square) as i64) >> 16;
+    let square = (wide(y << 11, y << 11) >> 32) as u32;
+    let error = !((wide(x, square) >> 16) as u32) as i32;
     // y + y*e/2: U1F31 * Q46 -> U1F31
-    let step = (i64::from(y) * i64::from(e as i32)) >> 47;
-    saturate(i64::from(y) + step)
+    refined(y, error)
 }
 
+/// Newton's step from `y`, in 2^-20, to `y + y * error`, in 2^-31; the error
+/// in 2^-47. It never leads beyond the true value, and so stays below 2.
 #[inline(always)]
-fn saturate(x: i64) -> u32 {
-    if x >> 32 == 0 { x as u32 } else { u32::MAX }
+fn refined(y: u32, error: i32) -> u32 {
+    // y in 2^-30 is below 2^31, so that the product is one of signed words.
+    let step = (i64::from((y << 10) as i32) * i64::from(error)) >> 32;
+    (y << 11).wrapping_add_signed(step as i32 >> 14)
 }
 
 /// The full product of two words.
@@ -227,13 +229,16 @@ pub(crate) fn wide(a: u32, b: u32) -> u64 {
 /// scaled mantissa. A zero counts as one.
 #[inline]
 pub(crate) fn inverse_length(square: u64) -> InverseLength {
-    let square = square.max(1);
-    let shift = square.leading_zeros() & !1;
-    let x = ((square << shift) >> 32) as u32;
+    let (mut high, mut low, mut half_shift) = ((square >> 32) as u32, square as u32, 0);
+    if high == 0 {
+        (high, low, half_shift) = (low.max(1), 0, 16);
+    }
+    let shift = high.leading_zeros() & !1;
+    let normalized = high << shift | (low >> 1) >> (31 - shift);
     InverseLength {
-        normalized: x,
-        inverse: reciprocal_root(x),
-        half_shift: shift / 2,
+        normalized,
+        inverse: reciprocal_root(normalized),
+        half_shift: half_shift + shift / 2,
     }
 }
 

@@ -119,10 +119,13 @@ impl Vec3<Length> {
 pub(crate) fn normalize(v: Vec3<i32>, inverse: InverseLength) -> Vec3<Unit> {
     let shift = inverse.half_shift.wrapping_sub(1) & 31;
     // The vector is shifted to a length of 2^30 to 2^31, so that the product
-    // with the reciprocal, U1F31, has the result in its upper half.
+    // with the reciprocal, U1F31, has the result in its upper half. The
+    // reciprocal less 2 fits a signed word, for which chips have a multiply.
+    let less_two = i64::from(inverse.inverse as i32);
     v.map(|c| {
-        let product = i64::from(c << shift) * i64::from(inverse.inverse);
-        Unit::from_bits(((product + (1 << 31)) >> 32) as i32)
+        let c = c << shift;
+        let product = (i64::from(c) * less_two + (1 << 31)) >> 32;
+        Unit::from_bits(c + product as i32)
     })
 }
 
