@@ -2,11 +2,11 @@
 
 use heapless::Vec;
 
+use crate::acceleration::{Bounds, look};
 use crate::error::Full;
-use crate::num::Length;
 use crate::prepared::{Light, Material, Object, Room, Settings, Sights};
-use crate::shape::Sight;
-use crate::{DecodeError, PreparedScene, Real, Scene, SceneError, Vec3, compiled, prepare};
+use crate::shape::{Around, Bound, Sight};
+use crate::{DecodeError, PreparedScene, Real, Scene, SceneError, compiled, prepare};
 
 /// Room for a prepared scene, in a `static` or on the stack: so many objects,
 /// lights and materials.
@@ -28,8 +28,10 @@ pub struct SceneBuffer<const OBJECTS: usize, const LIGHTS: usize, const MATERIAL
     objects: Vec<Object, OBJECTS>,
     lights: Vec<Light, LIGHTS>,
     materials: Vec<Material, MATERIALS>,
-    /// How the eye sees each object, and each light.
-    eye: [Sight; OBJECTS],
+    finite: Vec<Around, OBJECTS>,
+    endless: Vec<u16, OBJECTS>,
+    /// How the eye sees the finite objects, and each light.
+    eye: Vec<Bound, OBJECTS>,
     sights: [[Sight; OBJECTS]; LIGHTS],
 }
 
@@ -50,7 +52,9 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize>
             objects: Vec::new(),
             lights: Vec::new(),
             materials: Vec::new(),
-            eye: [Sight::NONE; OBJECTS],
+            finite: Vec::new(),
+            endless: Vec::new(),
+            eye: Vec::new(),
             sights: [[Sight::NONE; OBJECTS]; LIGHTS],
         }
     }
@@ -79,9 +83,14 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize>
     }
 
     fn scene(&mut self, settings: Settings) -> PreparedScene<'_> {
-        look(&self.objects, settings.camera.eye, &mut self.eye);
-        for (light, sights) in self.lights.iter().zip(&mut self.sights) {
-            look(&self.objects, light.position, sights);
+        let bounds = Bounds {
+            finite: self.finite.as_mut_view(),
+            endless: self.endless.as_mut_view(),
+            eye: self.eye.as_mut_view(),
+        };
+        bounds.fill(&self.objects, &settings.camera);
+        for (light, sights) in self.lights.iter_mut().zip(&mut self.sights) {
+            look(light, &self.objects, sights);
         }
         PreparedScene {
             sights: Sights {
@@ -89,6 +98,8 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize>
                 lights: self.sights.as_flattened(),
                 stride: OBJECTS,
             },
+            finite: &self.finite,
+            endless: &self.endless,
             settings,
             objects: &self.objects,
             lights: &self.lights,
@@ -122,13 +133,6 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize> Room
         self.materials
             .push(material)
             .map_err(|_| Full::new("materials", MATERIALS))
-    }
-}
-
-/// How a point sees each object.
-fn look(objects: &[Object], from: Vec3<Length>, sights: &mut [Sight]) {
-    for (object, sight) in objects.iter().zip(sights) {
-        *sight = object.shape.sight(from);
     }
 }
 

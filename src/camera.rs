@@ -1,9 +1,10 @@
 //! Where rays come from: a pinhole camera in front of a raster of pixels.
 
 use crate::Vec3;
-use crate::num::{Length, Unit, inverse_length, reciprocal, wide};
+use crate::num::{Length, Scaled, Unit, inverse_length, quotient, reciprocal, wide};
 use crate::prepared::Camera;
 use crate::ray::{Point, Ray, Start};
+use crate::shape::Plane;
 use crate::vector::normalize;
 
 /// The widest and the highest raster.
@@ -23,6 +24,8 @@ pub(crate) struct View {
     right: Vec3<i64>,
     /// `-g u`: half a pixel down.
     down: Vec3<i64>,
+    /// g as `U6F58`.
+    half_pixel: u64,
     pub(crate) width: u32,
     pub(crate) height: u32,
 }
@@ -49,6 +52,7 @@ impl View {
                 .map(|c| (i64::from(c.to_bits()) << 32) >> divisor),
             right: camera.right.map(half_pixel),
             down: camera.up.map(|c| -half_pixel(c)),
+            half_pixel: g,
             width,
             height,
         }
@@ -67,6 +71,77 @@ impl View {
             step: self.right.map(|r| 2 * r),
             remaining: if y < self.height { self.width } else { 0 },
         }
+    }
+
+    /// How the plane of the rays of line `y` lies.
+    pub(crate) fn row(&self, y: u32) -> Row {
+        let up = i64::from(self.height) - 2 * i64::from(y.min(MAX_SIDE)) - 1;
+        // Q58 -> Q26
+        let height = (up * self.half_pixel as i64) >> 32;
+        let Line {
+            direction, step, ..
+        } = self.line(y);
+        let last = i64::from(self.width) - 1;
+        let end = |steps| {
+            direction.zip(step, |d, s| {
+                Unit::from_bits((d.wrapping_add(s.wrapping_mul(steps)) >> 32) as i32)
+            })
+        };
+        Row {
+            eye: self.eye,
+            ends: [end(0), end(last)],
+            height,
+            stretch: (1 << 24) + ((height * height) >> 28),
+            half_pixel: self.half_pixel,
+            width: self.width as u16,
+        }
+    }
+}
+
+/// The plane of the eye rays of a line.
+pub(crate) struct Row {
+    eye: Vec3<Length>,
+    /// The directions of the first and the last ray, not of unit length.
+    ends: [Vec3<Unit>; 2],
+    /// Y, Q26.
+    pub(crate) height: i64,
+    /// `1 + Y²`, Q24.
+    pub(crate) stretch: i64,
+    half_pixel: u64,
+    pub(crate) width: u16,
+}
+
+impl Row {
+    /// Whether one of the rays may approach a plane.
+    pub(crate) fn may_meet(&self, plane: &Plane) -> bool {
+        /// More than what rounding a direction does to a cosine: Q60.
+        const MARGIN: i64 = 1 << 34;
+        let side = plane.depth(Point::near(self.eye)).signum();
+        let approaches = |end: Vec3<Unit>| side * end.dot(plane.normal).to_bits() > -MARGIN;
+        side != 0 && self.ends.into_iter().any(approaches)
+    }
+
+    /// The column of the ray through `X = (1 + Y²) n / d`, rounded down, 0 to
+    /// 65535.
+    pub(crate) fn column(&self, n: i64, d: u64) -> u16 {
+        if n == 0 {
+            return self.width / 2;
+        }
+        let ratio = quotient(n.unsigned_abs(), d);
+        let stretched = u64::from(ratio.mantissa) * self.stretch as u64;
+        let pixels = quotient(stretched, self.half_pixel);
+        // 2^30 n / d, then Q24 / Q58 and 2^30 once more: in half pixels.
+        let pixels = Scaled {
+            exponent: pixels.exponent + ratio.exponent - 26,
+            ..pixels
+        };
+        let pixels = if pixels.exponent > -8 {
+            1 << 24
+        } else {
+            pixels.to_bits()
+        };
+        let column = (n.signum() * pixels + i64::from(self.width) - 1) >> 1;
+        column.clamp(0, u16::MAX.into()) as u16
     }
 }
 

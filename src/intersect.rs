@@ -4,141 +4,158 @@
 //! alone. The common ray starts near and is answered by 32-bit distances. A
 //! far hit, on something endless beyond all else, takes the cold path.
 
-use core::borrow::Borrow;
-
 use crate::Vec3;
 use crate::num::{Length, NEAR_LIMIT, Scaled, Unit};
 use crate::observer::Observer;
 use crate::prepared::{Object, PreparedScene};
 use crate::ray::{Point, Ray};
-use crate::shape::{Path, Quadric, Shape, Sight, Sphereflake};
+use crate::shape::{Path, Quadric, Shape, Sphereflake};
 
 /// The nearest point of a ray on a surface.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Hit<'s> {
-    pub(crate) object: &'s Object,
+pub(crate) struct Hit {
     /// The object's number.
-    pub(crate) index: u16,
+    pub(crate) object: u16,
     pub(crate) point: Point,
-    /// Of a sphereflake; of any other object it says nothing.
-    pub(crate) part: Part,
 }
 
-/// The sphere of a sphereflake, and its normal at the point.
+/// The sphere of a sphereflake that is hit, and its normal at the point.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Part {
     pub(crate) path: Path,
     pub(crate) normal: Vec3<Unit>,
 }
 
-/// The first surface that a ray meets.
+/// The first surface that a ray meets. What is met of a flake is written to `part`.
 #[inline(never)]
-pub(crate) fn nearest<'s>(
-    scene: &PreparedScene<'s>,
+pub(crate) fn nearest(
+    scene: &PreparedScene<'_>,
     ray: &Ray,
+    part: &mut Part,
     observer: &mut impl Observer,
-) -> Option<Hit<'s>> {
-    observer.intersections(scene.objects.len() as u32);
+) -> Option<Hit> {
     if !ray.origin.is_near() {
-        return nearest_from_far(scene.objects, ray);
+        observer.intersections(scene.objects.len() as u32);
+        return nearest_from_far(scene, ray, part);
     }
-    let from = ray.origin.coordinates;
-    let seen = scene.objects.iter().enumerate();
-    let seen = seen.map(|(index, object)| (index, object, object.shape.sight(from)));
-    let nearest = nearest_near(seen, ray);
-    or_far(nearest, scene.objects, ray)
+    let mut nearest = Nearest::new(scene, ray, part);
+    nearest.meet_finite(observer);
+    for &object in scene.endless {
+        nearest.meet(object, observer);
+    }
+    nearest.hit()
 }
 
-/// The same for an eye ray, whose origin has looked at each object before.
+/// The same for an eye ray, which may meet some objects only.
 #[inline(never)]
-pub(crate) fn nearest_to_eye<'s>(
-    scene: &PreparedScene<'s>,
+pub(crate) fn nearest_of(
+    objects: &[u16],
+    scene: &PreparedScene<'_>,
     ray: &Ray,
+    part: &mut Part,
     observer: &mut impl Observer,
-) -> Option<Hit<'s>> {
-    observer.intersections(scene.objects.len() as u32);
-    let seen = scene.objects.iter().zip(scene.sights.eye).enumerate();
-    let nearest = nearest_near(
-        seen.map(|(index, (object, sight))| (index, object, sight)),
-        ray,
-    );
-    or_far(nearest, scene.objects, ray)
-}
-
-#[inline(always)]
-fn or_far<'s>(nearest: Option<Nearest<'s>>, objects: &'s [Object], ray: &Ray) -> Option<Hit<'s>> {
-    match nearest {
-        Some(nearest) => Some(nearest.hit(ray)),
-        None => nearest_far(objects, ray),
+) -> Option<Hit> {
+    let mut nearest = Nearest::new(scene, ray, part);
+    for &object in objects {
+        nearest.meet(object, observer);
     }
+    nearest.hit()
 }
 
 /// The nearest of the near hits.
-struct Nearest<'s> {
-    object: &'s Object,
-    index: u16,
-    distance: Length,
-    part: Part,
+struct Nearest<'r> {
+    scene: &'r PreparedScene<'r>,
+    ray: &'r Ray,
+    part: &'r mut Part,
+    object: Option<u16>,
+    limit: Length,
+    /// Whether there is a hit that is not near.
+    is_far: bool,
 }
 
-impl<'s> Nearest<'s> {
+impl<'r> Nearest<'r> {
     #[inline(always)]
-    fn hit(&self, ray: &Ray) -> Hit<'s> {
-        Hit {
-            object: self.object,
-            index: self.index,
-            point: ray.at(self.distance),
-            part: self.part,
+    fn new(scene: &'r PreparedScene<'r>, ray: &'r Ray, part: &'r mut Part) -> Self {
+        Self {
+            scene,
+            ray,
+            part,
+            object: None,
+            limit: NEAR_LIMIT,
+            is_far: false,
+        }
+    }
+
+    /// Looks at the finite objects whose bounds the ray meets.
+    #[inline(always)]
+    fn meet_finite(&mut self, observer: &mut impl Observer) {
+        let (origin, direction) = (self.ray.origin.coordinates, self.ray.direction);
+        for around in self.scene.finite {
+            if around.may_meet(origin, direction) {
+                self.meet(around.object, observer);
+            }
+        }
+    }
+
+    /// Looks at an object.
+    #[inline(always)]
+    fn meet(&mut self, number: u16, observer: &mut impl Observer) {
+        observer.intersections(1);
+        let Some(object) = self.scene.objects.get(usize::from(number)) else {
+            return;
+        };
+        let is_start = number == self.ray.start.object;
+        if let Some(distance) = distance(object, self.ray, is_start, self.limit, self.part) {
+            if distance < self.limit {
+                self.limit = distance;
+                self.object = Some(number);
+            } else {
+                self.is_far |= distance == Length::MAX;
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn hit(&self) -> Option<Hit> {
+        match self.object {
+            Some(object) => Some(Hit {
+                object,
+                point: self.ray.at(self.limit),
+            }),
+            None if self.is_far => nearest_far(self.scene, self.ray),
+            None => None,
         }
     }
 }
 
-/// Among hits less than [`NEAR_LIMIT`] away, from a near origin: of objects by
-/// number, and how the origin sees them.
-#[inline(always)]
-fn nearest_near<'s>(
-    seen: impl Iterator<Item = (usize, &'s Object, impl Borrow<Sight>)>,
+/// How far a ray from a near origin is from an object: exact if it is below
+/// `limit`, else anything above; [`Length::MAX`] if it is not near.
+#[inline(never)]
+fn distance(
+    object: &Object,
     ray: &Ray,
-) -> Option<Nearest<'s>> {
-    let origin = ray.origin.coordinates;
-    let mut limit = NEAR_LIMIT;
-    let mut nearest = None;
-    let mut part = Part::default();
-    let start = usize::from(ray.start.object);
-    for (index, object, sight) in seen {
-        let sight = sight.borrow();
-        let is_start = index == start;
-        let distance = match &object.shape {
-            Shape::Sphere(sphere) if is_start => ray
-                .start
-                .inward
-                .then(|| sphere.across(origin, ray.direction)),
-            Shape::Sphere(sphere) => sphere.distance(sight, ray.direction),
-            Shape::Plane(_) if is_start => None,
-            Shape::Plane(plane) => plane.distance(sight, ray, limit),
-            Shape::Quadric(quadric) => quadric_distance(quadric, ray, is_start),
-            Shape::Sphereflake(flake) => flake_distance(flake, ray, is_start, limit, &mut part),
-        };
-        if let Some(distance) = distance
-            && distance < limit
-        {
-            limit = distance;
-            nearest = Some((object, index));
-        }
+    is_start: bool,
+    limit: Length,
+    part: &mut Part,
+) -> Option<Length> {
+    match &object.shape {
+        Shape::Sphere(sphere) if is_start => ray
+            .start
+            .inward
+            .then(|| sphere.across(ray.origin.coordinates, ray.direction)),
+        Shape::Sphere(sphere) => sphere.distance(ray.origin.coordinates, ray.direction),
+        Shape::Plane(_) if is_start => None,
+        Shape::Plane(plane) => plane.distance(ray, limit),
+        Shape::Quadric(quadric) => quadric_distance(quadric, ray, is_start),
+        Shape::Sphereflake(flake) => flake_distance(flake, ray, is_start, limit, part),
     }
-    nearest.map(|(object, index)| Nearest {
-        object,
-        index: index as u16,
-        distance: limit,
-        part,
-    })
 }
 
 #[inline(never)]
 fn quadric_distance(quadric: &Quadric, ray: &Ray, is_start: bool) -> Option<Length> {
     quadric
         .nearest(ray, is_start.then_some(ray.start.inward))
-        .and_then(Scaled::near)
+        .map(|distance| distance.near().unwrap_or(Length::MAX))
         .filter(|distance| is_start || *distance > Length::ZERO)
 }
 
@@ -164,33 +181,27 @@ fn flake_distance(
 
 /// Among endless surfaces, at any distance, from any origin.
 #[cold]
-fn nearest_far<'s>(objects: &'s [Object], ray: &Ray) -> Option<Hit<'s>> {
-    nearest_endless(objects, ray).map(|(hit, _)| hit)
+fn nearest_far(scene: &PreparedScene<'_>, ray: &Ray) -> Option<Hit> {
+    nearest_endless(scene, ray).map(|(hit, _)| hit)
 }
 
-fn nearest_endless<'s>(objects: &'s [Object], ray: &Ray) -> Option<(Hit<'s>, Scaled)> {
-    let nearest = (0..)
-        .zip(objects)
-        .filter_map(|(index, object)| {
-            let is_start = index == ray.start.object;
-            let distance = match &object.shape {
-                Shape::Plane(plane) if !is_start => plane.far_distance(ray),
-                Shape::Quadric(quadric) if quadric.is_endless() => {
-                    quadric.nearest(ray, is_start.then_some(ray.start.inward))
-                }
-                _ => None,
-            };
-            distance.map(|distance| (index, object, distance))
-        })
-        .min_by_key(|(.., distance)| *distance);
-    let (index, object, distance) = nearest?;
-    let hit = Hit {
-        object,
-        index,
-        point: ray.far_at(distance),
-        part: Part::default(),
-    };
-    Some((hit, distance))
+#[inline(never)]
+fn nearest_endless(scene: &PreparedScene<'_>, ray: &Ray) -> Option<(Hit, Scaled)> {
+    let met = scene.endless.iter().filter_map(|&number| {
+        let object = scene.objects.get(usize::from(number))?;
+        let is_start = number == ray.start.object;
+        let distance = match &object.shape {
+            Shape::Plane(plane) if !is_start => plane.far_distance(ray),
+            Shape::Quadric(quadric) => {
+                quadric.nearest(ray, is_start.then_some(ray.start.inward))
+            }
+            _ => None,
+        };
+        Some((number, distance?))
+    });
+    let (object, distance) = met.min_by_key(|(_, distance)| *distance)?;
+    let point = ray.far_at(distance);
+    Some((Hit { object, point }, distance))
 }
 
 /// From a far origin, outside of all finite geometry.
@@ -198,16 +209,13 @@ fn nearest_endless<'s>(objects: &'s [Object], ray: &Ray) -> Option<(Hit<'s>, Sca
 /// The ray goes on as a near one from shortly before it may meet finite
 /// geometry; endless surfaces are looked for from its true origin.
 #[cold]
-fn nearest_from_far<'s>(objects: &'s [Object], ray: &Ray) -> Option<Hit<'s>> {
-    let endless = nearest_endless(objects, ray);
+fn nearest_from_far(scene: &PreparedScene<'_>, ray: &Ray, part: &mut Part) -> Option<Hit> {
+    let endless = nearest_endless(scene, ray);
     let finite = ray.approaching().and_then(|(ray, skipped)| {
-        let from = ray.origin.coordinates;
-        let finite = objects.iter().enumerate();
-        let finite = finite.filter(|(_, object)| object.shape.is_finite());
-        let seen = finite.map(|(index, object)| (index, object, object.shape.sight(from)));
-        let nearest = nearest_near(seen, &ray)?;
-        let distance = i64::from(nearest.distance.to_bits()) + skipped;
-        Some((nearest.hit(&ray), distance))
+        let mut nearest = Nearest::new(scene, &ray, part);
+        nearest.meet_finite(&mut ());
+        let distance = i64::from(nearest.limit.to_bits()) + skipped;
+        Some((nearest.hit()?, distance))
     });
     match (finite, endless) {
         (Some((hit, distance)), Some((_, endless))) if distance <= endless.to_bits() => Some(hit),

@@ -35,12 +35,14 @@
 //! `pixel`, `renderer`. `num` has the formats, docs/fixed-point.md why they are
 //! so.
 
+mod acceleration;
 mod budget;
 mod buffer;
 mod camera;
 mod checksum;
 mod color;
 mod compiled;
+mod coverage;
 mod error;
 mod intersect;
 mod num;

@@ -35,6 +35,7 @@ pub(crate) fn prepare(scene: &Scene<'_>, room: &mut impl Room) -> Result<Setting
             position: frame.point(light.position),
             diffuse: intensity(light.diffuse),
             specular: intensity(light.specular),
+            is_walled: false,
         })?;
     }
     for material in scene.materials {

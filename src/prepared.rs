@@ -8,7 +8,7 @@
 use crate::error::Full;
 use crate::num::{Factor, Length, Radiance, Unit};
 use crate::ray::Point;
-use crate::shape::{Shape, Sight};
+use crate::shape::{Around, Bound, Plane, Shape, Sight};
 use crate::texture::Texture;
 use crate::{Color, Vec3};
 
@@ -35,23 +35,31 @@ pub struct PreparedScene<'b> {
     pub(crate) objects: &'b [Object],
     pub(crate) lights: &'b [Light],
     pub(crate) materials: &'b [Material],
+    /// The bounds of the finite objects.
+    pub(crate) finite: &'b [Around],
+    /// The numbers of the endless objects.
+    pub(crate) endless: &'b [u16],
     pub(crate) sights: Sights<'b>,
 }
 
-/// How the eye and the lights see each object, in the order of the objects.
+/// How the eye and the lights see the bounds of the finite objects, in their
+/// order.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sights<'b> {
-    pub(crate) eye: &'b [Sight],
+    /// In the camera's frame: to the right, up, and forward.
+    pub(crate) eye: &'b [Bound],
     /// Light after light, each so many sights long.
     pub(crate) lights: &'b [Sight],
     pub(crate) stride: usize,
 }
 
-impl<'b> Sights<'b> {
-    /// Of a light.
+impl<'b> PreparedScene<'b> {
+    /// How a light sees the bounds of the finite objects.
     #[inline(always)]
-    pub(crate) fn light(&self, index: usize) -> &'b [Sight] {
-        self.lights.get(index * self.stride..).unwrap_or(&[])
+    pub(crate) fn seen_from_light(&self, index: usize) -> &'b [Sight] {
+        let from = index * self.sights.stride;
+        let to = from + self.finite.len();
+        self.sights.lights.get(from..to).unwrap_or(&[])
     }
 }
 
@@ -85,12 +93,22 @@ pub(crate) struct Object {
     pub(crate) texture: Texture,
 }
 
+impl Object {
+    /// Nothing that a ray could meet.
+    const NONE: Self = Self {
+        shape: Shape::Plane(Plane::NONE),
+        texture: Texture::Uniform(0),
+    };
+}
+
 /// A point light.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Light {
     pub(crate) position: Vec3<Length>,
     pub(crate) diffuse: Color<Factor>,
     pub(crate) specular: Color<Factor>,
+    /// Whether something endless may be between it and something finite.
+    pub(crate) is_walled: bool,
 }
 
 /// What a surface does to light.
@@ -145,6 +163,13 @@ impl<'b> PreparedScene<'b> {
         self.materials.get(usize::from(index)).unwrap_or(&NONE)
     }
 
+    /// The object of a number that a hit has.
+    #[inline(always)]
+    pub(crate) fn object(&self, number: u16) -> &'b Object {
+        static NONE: Object = Object::NONE;
+        self.objects.get(usize::from(number)).unwrap_or(&NONE)
+    }
+
     /// What an object lets through at a point of its surface.
     #[inline]
     pub(crate) fn transmitted(&self, object: &Object, point: Point) -> Color<Factor> {
@@ -160,8 +185,10 @@ mod tests {
     #[test]
     fn items_take_as_many_bytes_as_documented() {
         assert_eq!(size_of::<Object>(), 104);
-        assert_eq!(size_of::<Sight>(), 24);
-        assert_eq!(size_of::<Light>(), 24);
+        assert_eq!(size_of::<Around>(), 20);
+        assert_eq!(size_of::<Bound>(), 16);
+        assert_eq!(size_of::<Sight>(), 16);
+        assert_eq!(size_of::<Light>(), 28);
         assert_eq!(size_of::<Material>(), 52);
     }
 }

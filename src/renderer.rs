@@ -5,9 +5,10 @@ use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
 
 use crate::camera::{Line, View};
+use crate::coverage::Coverage;
 use crate::num::Radiance;
 use crate::observer::Observer;
-use crate::tracer::{Stack, trace};
+use crate::tracer::{Scratch, trace};
 use crate::{Color, Pixel, PreparedScene};
 
 /// Draws a scene line by line, each pixel once, without a framebuffer.
@@ -33,7 +34,8 @@ use crate::{Color, Pixel, PreparedScene};
 pub struct Renderer<'s, O: Observer = ()> {
     scene: &'s PreparedScene<'s>,
     view: View,
-    stack: Stack,
+    scratch: Scratch,
+    coverage: Coverage,
     observer: O,
 }
 
@@ -51,7 +53,8 @@ impl<'s, O: Observer> Renderer<'s, O> {
         Self {
             scene,
             view,
-            stack: Stack::default(),
+            scratch: Scratch::default(),
+            coverage: Coverage::default(),
             observer,
         }
     }
@@ -69,10 +72,13 @@ impl<'s, O: Observer> Renderer<'s, O> {
     /// The linear colors of line `y`, traced one by one as they are asked
     /// for. A line outside of the picture is empty.
     pub fn line(&mut self, y: u32) -> impl Iterator<Item = Color<Radiance>> {
+        self.coverage.look(self.scene, &self.view, y);
         Pixels {
             rays: self.view.line(y),
+            x: 0,
             scene: self.scene,
-            stack: &mut self.stack,
+            coverage: &mut self.coverage,
+            scratch: &mut self.scratch,
             observer: &mut self.observer,
         }
     }
@@ -83,7 +89,13 @@ impl<'s, O: Observer> Renderer<'s, O> {
         let mut rays = self.view.line(y);
         rays.skip_to(x);
         rays.next().map_or(Color::<Radiance>::BLACK, |ray| {
-            trace(self.scene, ray, &mut self.stack, &mut self.observer)
+            trace(
+                self.scene,
+                ray,
+                None,
+                &mut self.scratch,
+                &mut self.observer,
+            )
         })
     }
 
@@ -124,8 +136,10 @@ impl<'s, O: Observer> Renderer<'s, O> {
 /// The pixels of a line as they are traced.
 struct Pixels<'r, O> {
     rays: Line,
+    x: u32,
     scene: &'r PreparedScene<'r>,
-    stack: &'r mut Stack,
+    coverage: &'r mut Coverage,
+    scratch: &'r mut Scratch,
     observer: &'r mut O,
 }
 
@@ -135,7 +149,15 @@ impl<O: Observer> Iterator for Pixels<'_, O> {
     #[inline]
     fn next(&mut self) -> Option<Self::Item> {
         let ray = self.rays.next()?;
-        Some(trace(self.scene, ray, self.stack, self.observer))
+        let candidates = self.coverage.at(self.x);
+        self.x += 1;
+        Some(trace(
+            self.scene,
+            ray,
+            candidates,
+            self.scratch,
+            self.observer,
+        ))
     }
 
     fn size_hint(&self) -> (usize, Option<usize>) {

@@ -2,14 +2,13 @@
 //!
 //! Shading never traces: [`crate::tracer`] walks the tree of rays.
 
-use crate::intersect::Hit;
+use crate::intersect::{Hit, Part};
 use crate::num::{Factor, Radiance, Unit, power, reciprocal_root};
 use crate::observer::{Observer, share};
 use crate::prepared::{Light, Material, PreparedScene};
 use crate::ray::{Point, Ray, Start};
 use crate::shadow::{ShadowRay, transmittance};
 use crate::shape::Shape;
-use crate::vector::round_length;
 use crate::{Color, Vec3, optics};
 
 /// All that shading needs to know of a hit.
@@ -32,13 +31,9 @@ pub(crate) struct Surface<'s> {
 
 impl<'s> Surface<'s> {
     #[inline]
-    pub(crate) fn new(scene: &PreparedScene<'s>, ray: &Ray, hit: &Hit<'s>) -> Self {
-        let Hit {
-            object,
-            index,
-            point,
-            part,
-        } = *hit;
+    pub(crate) fn new(scene: &PreparedScene<'s>, ray: &Ray, hit: &Hit, part: &Part) -> Self {
+        let point = hit.point;
+        let object = scene.object(hit.object);
         let (normal, open, path) = match &object.shape {
             Shape::Sphere(sphere) => (sphere.normal(point.coordinates), false, 0),
             Shape::Plane(plane) => (plane.normal, plane.bounds.is_some(), 0),
@@ -52,7 +47,7 @@ impl<'s> Surface<'s> {
             normal: if inside { -normal } else { normal },
             cosine: cosine.abs(),
             material: scene.material(object.texture.material(point)),
-            object: index,
+            object: hit.object,
             part: path,
             inside,
             open,
@@ -91,9 +86,8 @@ impl<'s> Surface<'s> {
             let cosine = to_light.cosine(self.normal);
             let shadow = ShadowRay {
                 light,
-                sights: scene.sights.light(index),
-                direction: -to_light,
-                length: round_length(way.along(to_light).to_bits(), 30),
+                sights: scene.seen_from_light(index),
+                to_light,
                 point: &self.point,
                 view: &ray.direction,
                 start: self.start(self.inside),

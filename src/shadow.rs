@@ -10,6 +10,7 @@ use crate::prepared::{Light, Object, PreparedScene};
 use crate::ray::{Point, Ray, Start};
 use crate::shape::{Plane, Quadric, Shape, Sight, Sphere};
 use crate::texture::Texture;
+use crate::vector::round_length;
 use crate::{Color, Vec3};
 
 /// The way from a light to a point of a surface.
@@ -18,12 +19,10 @@ use crate::{Color, Vec3};
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ShadowRay<'s> {
     pub(crate) light: &'s Light,
-    /// How the light sees each object.
+    /// How the light sees the bounds of the finite objects.
     pub(crate) sights: &'s [Sight],
-    /// From the light to the point.
-    pub(crate) direction: Vec3<Unit>,
-    /// To the point, in steps of the point's shift.
-    pub(crate) length: Length,
+    /// From the point to the light.
+    pub(crate) to_light: Vec3<Unit>,
     pub(crate) point: &'s Point,
     /// From where the point is seen, towards it.
     pub(crate) view: &'s Vec3<Unit>,
@@ -32,12 +31,17 @@ pub(crate) struct ShadowRay<'s> {
 }
 
 impl ShadowRay<'_> {
+    /// To the point, in steps of the point's shift.
+    fn length(&self) -> Length {
+        let way = self.point.to(self.light.position);
+        round_length(way.along(self.to_light).to_bits(), 30)
+    }
+
     /// To the point, if it is near; else the light's way passes all finite
     /// geometry.
-    #[inline(always)]
     fn distance(&self) -> Length {
         if self.point.is_near() {
-            self.length
+            self.length()
         } else {
             Length::MAX
         }
@@ -45,13 +49,13 @@ impl ShadowRay<'_> {
 
     /// To the point, wherever it is, in steps of a [`Length`].
     fn reach(&self) -> i64 {
-        i64::from(self.length.to_bits()) << self.point.shift
+        i64::from(self.length().to_bits()) << self.point.shift
     }
 
     fn ray(&self) -> Ray {
         Ray {
             origin: Point::near(self.light.position),
-            direction: self.direction,
+            direction: -self.to_light,
             start: Start::NOWHERE,
         }
     }
@@ -68,30 +72,53 @@ pub(crate) fn transmittance(
 ) -> Option<Color<Factor>> {
     observer.ray(RayKind::Shadow);
     let mut left = Color::WHITE;
-    let start = usize::from(shadow.start.object);
-    for (index, (object, sight)) in scene.objects.iter().zip(shadow.sights).enumerate() {
-        let is_start = index == start;
-        let in_the_way = match &object.shape {
-            Shape::Sphere(_) if is_start => shadow.start.inward,
-            Shape::Sphere(sphere) => sphere.is_between(sight, shadow.direction, shadow.distance()),
-            Shape::Plane(_) if is_start => false,
-            Shape::Plane(plane) => plane.is_between(sight, *shadow.point, *shadow.view),
-            Shape::Quadric(_) | Shape::Sphereflake(_) => true,
-        };
-        if !in_the_way {
-            continue;
+    let mut is_finite = false;
+    for (sight, around) in shadow.sights.iter().zip(scene.finite) {
+        // The opposite direction has the same line.
+        if sight.may_meet(shadow.to_light) {
+            observer.intersections(1);
+            left = passed(scene, shadow, around.object, left)?;
         }
-        if is_start || !blocks(scene, object) {
-            left = passed(scene, shadow, (object, sight), is_start, left);
-            if !left.is_black() {
-                continue;
-            }
+        is_finite |= around.object == shadow.start.object;
+    }
+    if shadow.light.is_walled || !is_finite || !shadow.point.is_near() {
+        for &object in scene.endless {
+            observer.intersections(1);
+            left = passed(scene, shadow, object, left)?;
         }
-        observer.intersections(index as u32 + 1);
+    }
+    Some(left)
+}
+
+/// What an object that may be in the way leaves of the light; `None` if that
+/// is nothing.
+#[inline(never)]
+fn passed(
+    scene: &PreparedScene<'_>,
+    shadow: &ShadowRay<'_>,
+    number: u16,
+    left: Color<Factor>,
+) -> Option<Color<Factor>> {
+    let Some(object) = scene.objects.get(usize::from(number)) else {
+        return Some(left);
+    };
+    let is_start = number == shadow.start.object;
+    let light = shadow.light.position;
+    let in_the_way = match &object.shape {
+        Shape::Sphere(_) if is_start => shadow.start.inward,
+        Shape::Sphere(sphere) => sphere.is_between(light, -shadow.to_light, shadow.distance()),
+        Shape::Plane(_) if is_start => false,
+        Shape::Plane(plane) => plane.is_between(light, *shadow.point, *shadow.view),
+        Shape::Quadric(_) | Shape::Sphereflake(_) => true,
+    };
+    if !in_the_way {
+        return Some(left);
+    }
+    if !is_start && blocks(scene, object) {
         return None;
     }
-    observer.intersections(scene.objects.len() as u32);
-    Some(left)
+    let left = filtered(scene, shadow, object, is_start, left);
+    (!left.is_black()).then_some(left)
 }
 
 /// Whether an object that is found to be in the way is so for sure, and lets no
@@ -107,17 +134,17 @@ fn blocks(scene: &PreparedScene<'_>, object: &Object) -> bool {
         && matches!(object.texture, Texture::Uniform(material) if scene.material(material).kt.is_black())
 }
 
-/// What an object that may be in the way leaves of the light.
+/// What is left of the light behind an object that may be in the way.
 #[inline(never)]
-fn passed(
+fn filtered(
     scene: &PreparedScene<'_>,
     shadow: &ShadowRay<'_>,
-    (object, sight): (&Object, &Sight),
+    object: &Object,
     is_start: bool,
     mut left: Color<Factor>,
 ) -> Color<Factor> {
     let crossings = match &object.shape {
-        Shape::Sphere(sphere) => sphere_crossings(sphere, sight, shadow, is_start),
+        Shape::Sphere(sphere) => sphere_crossings(sphere, shadow, is_start),
         Shape::Plane(plane) => [plane_crossing(plane, shadow), None],
         Shape::Quadric(quadric) => quadric_crossings(quadric, shadow, is_start),
         Shape::Sphereflake(flake) => {
@@ -138,12 +165,11 @@ fn passed(
 
 fn sphere_crossings(
     sphere: &Sphere,
-    sight: &Sight,
     shadow: &ShadowRay<'_>,
     is_start: bool,
 ) -> [Option<Point>; 2] {
-    let [entry, exit] = sphere.crossings(sight, shadow.direction);
     let ray = shadow.ray();
+    let [entry, exit] = sphere.crossings(shadow.light.position, ray.direction);
     let before = |distance: &Length| *distance > Length::ZERO && *distance < shadow.distance();
     // From the inside of a sphere the exit is the lit point itself.
     let exit = if is_start { None } else { exit };
@@ -169,7 +195,7 @@ fn quadric_crossings(
     let (ray, start) = if is_start {
         let back = Ray {
             origin: *shadow.point,
-            direction: -shadow.direction,
+            direction: shadow.to_light,
             start: shadow.start,
         };
         (back, Some(shadow.start.inward))

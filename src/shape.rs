@@ -4,18 +4,15 @@
 //! first finds only distances, since the normal is wanted for the nearest
 //! alone.
 
+mod bound;
 mod plane;
 mod quadric;
-mod sight;
 mod sphere;
 mod sphereflake;
 
-use crate::Vec3;
-use crate::num::Length;
-
+pub(crate) use bound::{Around, Bound, Sight};
 pub(crate) use plane::{Bounds, Plane};
 pub(crate) use quadric::{Cone, Cylinder, Ellipsoid, Form, Paraboloid, Quadric};
-pub(crate) use sight::Sight;
 pub(crate) use sphere::Sphere;
 pub(crate) use sphereflake::{MAX_DEPTH as MAX_FLAKE_DEPTH, Parts, Path, Sphereflake};
 
@@ -35,12 +32,13 @@ impl Default for Shape {
 }
 
 impl Shape {
-    /// How a near point sees it, if it is a sphere or a plane.
-    pub(crate) fn sight(&self, point: Vec3<Length>) -> Sight {
+    /// A sphere around all of it; `None` if it is endless.
+    pub(crate) fn bounding_sphere(&self) -> Option<Bound> {
         match self {
-            Self::Sphere(sphere) => sphere.sight(point),
-            Self::Plane(plane) => plane.sight(point),
-            Self::Quadric(_) | Self::Sphereflake(_) => Sight::NONE,
+            Self::Sphere(sphere) => Some(sphere.bounding_sphere()),
+            Self::Plane(_) => None,
+            Self::Quadric(quadric) => quadric.bounding_sphere(),
+            Self::Sphereflake(flake) => Some(flake.bounding_sphere()),
         }
     }
 

@@ -3,7 +3,7 @@
 use heapless::Vec;
 
 use crate::Color;
-use crate::intersect;
+use crate::intersect::{self, Part};
 use crate::num::{Factor, Radiance};
 use crate::observer::{Node, Observer, RayKind, share};
 use crate::prepared::{MAX_DEPTH, PreparedScene, Settings};
@@ -28,7 +28,12 @@ struct Branch {
 /// Branches put off: a transmitted ray waits while the reflected one beside
 /// it is followed, so there is at most one for each generation.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Stack(Vec<Branch, { MAX_DEPTH as usize }>);
+pub(crate) struct Scratch {
+    stack: Stack,
+    part: Part,
+}
+
+type Stack = Vec<Branch, { MAX_DEPTH as usize }>;
 
 /// The radiance that an eye ray brings back.
 ///
@@ -37,7 +42,8 @@ pub(crate) struct Stack(Vec<Branch, { MAX_DEPTH as usize }>);
 pub(crate) fn trace(
     scene: &PreparedScene<'_>,
     ray: Ray,
-    stack: &mut Stack,
+    candidates: Option<&[u16]>,
+    Scratch { stack, part }: &mut Scratch,
     observer: &mut impl Observer,
 ) -> Color<Radiance> {
     let settings = &scene.settings;
@@ -54,13 +60,16 @@ pub(crate) fn trace(
         observer.ray(branch.kind);
         let mut surface = None;
         let hit = if branch.depth == 0 {
-            intersect::nearest_to_eye(scene, ray, observer)
+            match candidates {
+                Some(objects) => intersect::nearest_of(objects, scene, ray, part, observer),
+                None => intersect::nearest(scene, ray, part, observer),
+            }
         } else {
-            intersect::nearest(scene, ray, observer)
+            intersect::nearest(scene, ray, part, observer)
         };
         let local = match hit {
             Some(hit) => {
-                let surface = surface.insert(Surface::new(scene, ray, &hit));
+                let surface = surface.insert(Surface::new(scene, ray, &hit, part));
                 surface.local(scene, ray, observer)
             }
             None => background(settings, ray),
@@ -77,14 +86,14 @@ pub(crate) fn trace(
         let goes_on = branch.depth < settings.max_depth
             && surface.is_some_and(|surface| follow(&surface, settings, &mut branch, stack));
         if !goes_on {
-            let Some(next) = stack.0.pop() else {
+            let Some(next) = stack.pop() else {
                 break;
             };
             branch = next;
         }
         budget -= 1;
         if budget == 0 {
-            stack.0.clear();
+            stack.clear();
             break;
         }
     }
@@ -127,7 +136,7 @@ fn follow(
             return true;
         }
         // There is room, as said above; no branch is lost.
-        let _ = stack.0.push(transmitted);
+        let _ = stack.push(transmitted);
     }
     if let Some(weight) = reflected {
         *branch = Branch {

@@ -194,6 +194,12 @@ impl Vec3<Unit> {
     }
 }
 
+/// The high word of a product: its low 32 bits are left out.
+#[inline(always)]
+pub(crate) fn high(bits: i64) -> i32 {
+    (bits >> 32) as i32
+}
+
 /// Rounds away the low `shift` bits.
 #[inline(always)]
 pub(crate) fn round_unit(bits: i64, shift: u32) -> Unit {

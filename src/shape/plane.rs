@@ -2,8 +2,6 @@ use crate::Vec3;
 use crate::num::{Length, Scaled, Unit, quotient, reciprocal, wide};
 use crate::ray::{HORIZON, Point, Ray};
 
-use super::sight::Sight;
-
 /// A plane, endless or bounded.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Plane {
@@ -46,21 +44,19 @@ impl Bounds {
 const ROUNDING: i64 = 2;
 
 impl Plane {
+    /// Before it is prepared.
+    pub(crate) const NONE: Self = Self {
+        normal: Vec3::new(Unit::ZERO, Unit::ZERO, Unit::ZERO),
+        offset: 0,
+        bounds: None,
+    };
+
     /// How far behind the plane a point is, in the point's steps; negative in
     /// front, where the normal points.
     #[inline]
     pub(crate) fn depth(&self, point: Point) -> i64 {
         let along = point.coordinates.along(self.normal).to_bits();
         (self.offset >> point.shift) - ((along + (1 << 29)) >> 30)
-    }
-
-    /// How a near point sees it.
-    #[inline(always)]
-    pub(crate) fn sight(&self, point: Vec3<Length>) -> Sight {
-        Sight {
-            depth: self.depth(Point::near(point)),
-            ..Sight::NONE
-        }
     }
 
     /// Whether a point may be on the plane, but for rounding.
@@ -74,8 +70,8 @@ impl Plane {
     /// A point in a corner of walls is on the side of each that it is seen
     /// from, by a ray in the direction of `view`.
     #[inline]
-    pub(crate) fn is_between(&self, light: &Sight, point: Point, view: Vec3<Unit>) -> bool {
-        let (from, to) = (light.depth, self.depth(point));
+    pub(crate) fn is_between(&self, light: Vec3<Length>, point: Point, view: Vec3<Unit>) -> bool {
+        let (from, to) = (self.depth(Point::near(light)), self.depth(point));
         if to.abs() <= ROUNDING {
             return self.is_seen_from_beyond(from, view);
         }
@@ -88,18 +84,14 @@ impl Plane {
         from.signum() * i64::from(to.signum()) < 0
     }
 
-    /// The distance of a hit from a near point, if it is below `limit`.
-    #[inline(always)]
-    pub(crate) fn distance(&self, origin: &Sight, ray: &Ray, limit: Length) -> Option<Length> {
-        let (depth, cosine) = self.approach(origin.depth, ray.direction)?;
-        self.met(depth, cosine, ray, limit)
-    }
-
-    #[inline(never)]
-    fn met(&self, depth: u64, cosine: u32, ray: &Ray, limit: Length) -> Option<Length> {
+    /// The distance of a hit from a near point: exact if it is below `limit`,
+    /// else anything above.
+    #[inline]
+    pub(crate) fn distance(&self, ray: &Ray, limit: Length) -> Option<Length> {
+        let (depth, cosine) = self.approach(self.depth(ray.origin), ray.direction)?;
         // What is beyond the limit is not worth a division.
         if depth >= wide(cosine, limit.to_bits() as u32) >> 30 {
-            return None;
+            return Some(Length::MAX);
         }
         let shift = cosine.leading_zeros();
         // 1/cosine = reciprocal * 2^(shift - 33) and depth < 2^31

@@ -16,8 +16,10 @@ pub(crate) use paraboloid::Paraboloid;
 
 use quadratic::Quadratic;
 
+use super::bound::Bound;
+
 use crate::Vec3;
-use crate::num::{Length, Scaled, Unit};
+use crate::num::{Length, Scaled, Unit, square_root};
 use crate::ray::{HORIZON, Point, Ray};
 use crate::vector::{direction, round_length};
 
@@ -51,6 +53,35 @@ impl Quadric {
     #[inline]
     pub(crate) fn is_endless(&self) -> bool {
         self.clamp.is_none() && !matches!(self.form, Form::Ellipsoid(_))
+    }
+
+    /// A sphere around all of it; `None` if it is endless.
+    pub(crate) fn bounding_sphere(&self) -> Option<Bound> {
+        /// Finite geometry is within ±1, so that nothing is farther away from
+        /// something finite.
+        const FARTHEST: Length = Length::lit("3.5");
+        /// More than roundings take.
+        const MARGIN: Length = Length::lit("0.000001");
+
+        if self.is_endless() {
+            return None;
+        }
+        let height = self.clamp.map_or(Length::ZERO, |[low, high]| {
+            (high - self.center.y).max(self.center.y - low)
+        });
+        let width = match &self.form {
+            Form::Ellipsoid(form) => form.longest(),
+            Form::Cylinder(form) => Some(form.radius),
+            Form::Cone(form) => form.widest(height),
+            Form::Paraboloid(form) => form.widest(height),
+        };
+        let width = width.map_or(FARTHEST, |width| width.min(FARTHEST));
+        let square = width.wide_mul(width) + height.wide_mul(height);
+        let radius = Length::from_bits(square_root(square.to_bits() as u64) as i32);
+        Some(Bound {
+            center: self.center,
+            radius: (radius + MARGIN).min(FARTHEST),
+        })
     }
 
     /// Whether it bounds no inside.

@@ -4,7 +4,7 @@ use crate::Vec3;
 use crate::num::{Length, Unit, square_root};
 use crate::vector::round_length;
 
-use super::sight::Sight;
+use super::bound::Bound;
 
 /// A sphere within ±1.
 #[derive(Clone, Copy, Debug, Default)]
@@ -13,10 +13,6 @@ pub(crate) struct Sphere {
     pub(crate) radius: Length,
     radius_squared: I8F56,
 }
-
-/// What rounding the middle of the chord, at most 8 away, to 2^-28 can do to
-/// its square, and more.
-const MARGIN: i64 = 1 << 33;
 
 /// How a line passes through a sphere.
 struct Approach {
@@ -36,15 +32,6 @@ impl Approach {
     }
 }
 
-/// From a point to where a line from it is nearest to a sphere's center, unless
-/// the line is too far off, as it is for most spheres.
-#[inline(always)]
-fn passes_by(sight: &Sight, direction: Vec3<Unit>) -> Option<Length> {
-    let middle = round_length(sight.to_center.along(direction).to_bits(), 30);
-    let rest = middle.wide_mul(middle).to_bits() + sight.depth;
-    (rest + MARGIN >= 0).then_some(middle)
-}
-
 impl Sphere {
     pub(crate) fn new(center: Vec3<Length>, radius: Length) -> Self {
         Self {
@@ -54,13 +41,11 @@ impl Sphere {
         }
     }
 
-    /// How a point sees it.
-    #[inline(always)]
-    pub(crate) fn sight(&self, point: Vec3<Length>) -> Sight {
-        let to_center = self.center - point;
-        Sight {
-            to_center,
-            depth: (self.radius_squared - to_center.squared()).to_bits(),
+    /// A sphere around all of it: itself.
+    pub(crate) fn bounding_sphere(&self) -> Bound {
+        Bound {
+            center: self.center,
+            radius: self.radius,
         }
     }
 
@@ -71,15 +56,16 @@ impl Sphere {
     /// middle: the textbook's `b² - c` loses the bits of a small sphere far
     /// away, which `l` keeps (Haines and others, Ray Tracing Gems 2019, ch. 7).
     #[inline(always)]
-    fn approach(&self, sight: &Sight, direction: Vec3<Unit>, middle: Length) -> Option<Approach> {
-        let Sight { to_center, depth } = *sight;
-        let outside = depth < 0;
-        if outside && middle <= Length::ZERO {
-            return None;
-        }
+    fn approach(&self, origin: Vec3<Length>, direction: Vec3<Unit>) -> Option<Approach> {
+        let to_center = self.center - origin;
+        let middle = round_length(to_center.along(direction).to_bits(), 30);
         let offset = to_center - direction.times(middle);
         let discriminant = self.radius_squared - offset.squared();
         if discriminant < I8F56::ZERO {
+            return None;
+        }
+        let outside = to_center.squared() > self.radius_squared;
+        if outside && middle <= Length::ZERO {
             return None;
         }
         Some(Approach {
@@ -90,26 +76,13 @@ impl Sphere {
     }
 
     /// Whether the line from a light crosses the sphere before `distance`.
-    #[inline(always)]
     pub(crate) fn is_between(
         &self,
-        light: &Sight,
+        light: Vec3<Length>,
         direction: Vec3<Unit>,
         distance: Length,
     ) -> bool {
-        passes_by(light, direction)
-            .is_some_and(|middle| self.is_met_before(light, direction, middle, distance))
-    }
-
-    #[inline(never)]
-    fn is_met_before(
-        &self,
-        light: &Sight,
-        direction: Vec3<Unit>,
-        middle: Length,
-        distance: Length,
-    ) -> bool {
-        let Some(approach) = self.approach(light, direction, middle) else {
+        let Some(approach) = self.approach(light, direction) else {
             return false;
         };
         // The entry is before the chord's middle, the exit after it.
@@ -123,15 +96,13 @@ impl Sphere {
     }
 
     /// The distance to the nearest hit ahead.
-    #[inline(always)]
-    pub(crate) fn distance(&self, origin: &Sight, direction: Vec3<Unit>) -> Option<Length> {
-        let middle = passes_by(origin, direction)?;
-        self.entered(origin, direction, middle)
-    }
-
-    #[inline(never)]
-    fn entered(&self, origin: &Sight, direction: Vec3<Unit>, middle: Length) -> Option<Length> {
-        let approach = self.approach(origin, direction, middle)?;
+    #[inline]
+    pub(crate) fn distance(
+        &self,
+        origin: Vec3<Length>,
+        direction: Vec3<Unit>,
+    ) -> Option<Length> {
+        let approach = self.approach(origin, direction)?;
         let half = approach.half();
         let distance = if approach.outside {
             approach.middle - half
@@ -151,10 +122,12 @@ impl Sphere {
 
     /// Where the line crosses the sphere ahead of `origin`; both ends in order.
     #[inline]
-    pub(crate) fn crossings(&self, origin: &Sight, direction: Vec3<Unit>) -> [Option<Length>; 2] {
-        let approach = passes_by(origin, direction)
-            .and_then(|middle| self.approach(origin, direction, middle));
-        let Some(approach) = approach else {
+    pub(crate) fn crossings(
+        &self,
+        origin: Vec3<Length>,
+        direction: Vec3<Unit>,
+    ) -> [Option<Length>; 2] {
+        let Some(approach) = self.approach(origin, direction) else {
             return [None, None];
         };
         let half = approach.half();

@@ -1,5 +1,5 @@
 use crate::Vec3;
-use crate::num::{Length, Unit};
+use crate::num::{Length, Unit, quotient};
 use crate::vector::{round_length, round_unit};
 
 use super::quadratic::Quadratic;
@@ -18,6 +18,13 @@ pub(crate) struct Cone {
 }
 
 impl Cone {
+    /// Its largest radius so far from its center along y, if it is near.
+    pub(super) fn widest(&self, height: Length) -> Option<Length> {
+        let growth = round_length(height.wide_mul(self.axial.abs()).to_bits(), 30);
+        let squeezed = self.radius.abs() + growth;
+        quotient(squeezed.to_bits().max(1) as u64, self.radial.to_bits() as u64).near()
+    }
+
     /// x, v and z, in steps of `2^shift`.
     #[inline]
     fn squeezed(&self, v: Vec3<Length>, shift: u8) -> Vec3<Length> {

@@ -1,5 +1,5 @@
 use crate::Vec3;
-use crate::num::{Length, Unit, upper_product};
+use crate::num::{Length, Unit, quotient, upper_product};
 use crate::vector::{round_length, round_unit};
 
 use super::quadratic::Quadratic;
@@ -15,6 +15,13 @@ pub(crate) struct Ellipsoid {
 }
 
 impl Ellipsoid {
+    /// The longest radius, if it is near.
+    pub(super) fn longest(&self) -> Option<Length> {
+        let Vec3 { x, y, z } = self.squeeze;
+        let squeeze = x.min(y).min(z).to_bits() as u64;
+        quotient(self.radius.to_bits() as u64, squeeze).near()
+    }
+
     #[inline]
     fn squeezed(&self, v: Vec3<Length>) -> Vec3<Length> {
         v.zip(self.squeeze, |c, k| {

@@ -1,7 +1,7 @@
 use fixed::types::I8F56;
 
 use crate::Vec3;
-use crate::num::{Length, Unit, upper_product};
+use crate::num::{Length, Unit, square_root, upper_product};
 
 use super::quadratic::Quadratic;
 
@@ -18,6 +18,15 @@ pub(crate) struct Paraboloid {
 }
 
 impl Paraboloid {
+    /// Its largest radius so far from its center along y, if it is near.
+    pub(super) fn widest(&self, height: Length) -> Option<Length> {
+        // Q28 -> Q56
+        let growth = (i64::from(height.to_bits()) << 28) >> self.focus;
+        let squeezed = square_root((self.radius_squared.to_bits() + growth) as u64);
+        let widest = i64::from(squeezed) << self.squeeze;
+        i32::try_from(widest).ok().map(Length::from_bits)
+    }
+
     /// From `offset` of the center. With `w = o × d` the discriminant is
     /// `r² |d|² + (g dy / 2)² + g (dx w_z - dz w_x) - w_y²`, |d| without dy.
     #[inline]

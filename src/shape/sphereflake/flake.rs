@@ -4,6 +4,7 @@ use crate::Vec3;
 use crate::num::{Length, Unit, reciprocal};
 use crate::vector::round_unit;
 
+use super::super::bound::Bound;
 use super::direction::{ASIDE, ELEVATION, EQUATOR};
 
 /// A length in radii of a sphere: ±4 in steps of 2^-29.
@@ -80,6 +81,16 @@ impl Sphereflake {
             radius: self.radius,
             ratio: self.ratio,
             depth: self.depth,
+        }
+    }
+
+    /// A sphere around all of it.
+    pub(crate) fn bounding_sphere(&self) -> Bound {
+        // U0F32 * Q29 -> Q61 -> Q28, rounded up.
+        let reach = u64::from(self.radius.to_bits()) * self.bound.to_bits() as u64;
+        Bound {
+            center: self.center,
+            radius: Length::from_bits((reach >> 33) as i32 + 1),
         }
     }
 
