@@ -6,7 +6,7 @@
 use heapless::VecView;
 
 use crate::Vec3;
-use crate::num::Length;
+use crate::num::{Length, power};
 use crate::prepared::{Camera, Light, Object};
 use crate::ray::Point;
 use crate::shape::{Around, Bound, Shape, Sight};
@@ -47,6 +47,17 @@ fn in_view(bound: &Bound, camera: &Camera) -> Bound {
         center: Vec3::new(along(camera.right), along(camera.up), along(camera.forward)),
         radius: bound.radius + (bound.radius >> 10) + MARGIN,
     }
+}
+
+/// The least base, `U1F31`, of which a power with an exponent from 1, `U16F16`,
+/// is at least half a step of a [`Factor`](crate::num::Factor); or one below it.
+pub(crate) fn dimmest(exponent: u32) -> u32 {
+    // The fraction of the exponent would only raise it.
+    let is_dim = |base| power(base, exponent >> 16 << 16) < 1 << 15;
+    (0..31).rev().fold(0, |base, bit| {
+        let next = base | 1 << bit;
+        if is_dim(next) { next } else { base }
+    }) + 1
 }
 
 /// What a light sees of the finite objects, and whether something endless may

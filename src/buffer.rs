@@ -2,7 +2,7 @@
 
 use heapless::Vec;
 
-use crate::acceleration::{Bounds, look};
+use crate::acceleration::{Bounds, dimmest, look};
 use crate::error::Full;
 use crate::prepared::{Light, Material, Object, Room, Settings, Sights};
 use crate::shape::{Around, Bound, Sight};
@@ -129,7 +129,8 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize> Room
             .map_err(|_| Full::new("lights", LIGHTS))
     }
 
-    fn push_material(&mut self, material: Material) -> Result<(), Full> {
+    fn push_material(&mut self, mut material: Material) -> Result<(), Full> {
+        material.dimmest = dimmest(material.shininess);
         self.materials
             .push(material)
             .map_err(|_| Full::new("materials", MATERIALS))

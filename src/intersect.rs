@@ -11,12 +11,35 @@ use crate::prepared::{Object, PreparedScene};
 use crate::ray::{Point, Ray};
 use crate::shape::{Path, Quadric, Shape, Sphereflake};
 
-/// The nearest point of a ray on a surface.
+/// The nearest surface of a ray.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Hit {
     /// The object's number.
     pub(crate) object: u16,
-    pub(crate) point: Point,
+    /// From a near origin, [`Length::MAX`] if it is not near. From a far one,
+    /// to something finite: from where the ray is [`Ray::approaching`].
+    distance: Length,
+}
+
+impl Hit {
+    /// The point of the surface.
+    #[inline(always)]
+    pub(crate) fn point(self, object: &Object, ray: &Ray) -> Point {
+        if self.distance == Length::MAX || !ray.origin.is_near() {
+            return self.far_point(object, ray);
+        }
+        ray.at(self.distance)
+    }
+
+    #[cold]
+    fn far_point(self, object: &Object, ray: &Ray) -> Point {
+        let is_start = self.object == ray.start.object;
+        if let Some(distance) = endless_distance(object, ray, is_start) {
+            return ray.far_at(distance);
+        }
+        let near = ray.approaching().map_or(*ray, |(near, _)| near);
+        near.at(self.distance)
+    }
 }
 
 /// The sphere of a sphereflake that is hit, and its normal at the point.
@@ -67,6 +90,8 @@ struct Nearest<'r> {
     scene: &'r PreparedScene<'r>,
     ray: &'r Ray,
     part: &'r mut Part,
+    /// The number of the object that is left behind.
+    left: u16,
     object: Option<u16>,
     limit: Length,
     /// Whether there is a hit that is not near.
@@ -80,6 +105,7 @@ impl<'r> Nearest<'r> {
             scene,
             ray,
             part,
+            left: ray.start.left(),
             object: None,
             limit: NEAR_LIMIT,
             is_far: false,
@@ -100,12 +126,14 @@ impl<'r> Nearest<'r> {
     /// Looks at an object.
     #[inline(always)]
     fn meet(&mut self, number: u16, observer: &mut impl Observer) {
+        if number == self.left {
+            return;
+        }
         observer.intersections(1);
         let Some(object) = self.scene.objects.get(usize::from(number)) else {
             return;
         };
-        let is_start = number == self.ray.start.object;
-        if let Some(distance) = distance(object, self.ray, is_start, self.limit, self.part) {
+        if let Some(distance) = distance(object, self.ray, number, self.limit, self.part) {
             if distance < self.limit {
                 self.limit = distance;
                 self.object = Some(number);
@@ -120,9 +148,9 @@ impl<'r> Nearest<'r> {
         match self.object {
             Some(object) => Some(Hit {
                 object,
-                point: self.ray.at(self.limit),
+                distance: self.limit,
             }),
-            None if self.is_far => nearest_far(self.scene, self.ray),
+            None if self.is_far => nearest_endless(self.scene, self.ray).map(|(hit, _)| hit),
             None => None,
         }
     }
@@ -134,17 +162,16 @@ impl<'r> Nearest<'r> {
 fn distance(
     object: &Object,
     ray: &Ray,
-    is_start: bool,
+    number: u16,
     limit: Length,
     part: &mut Part,
 ) -> Option<Length> {
+    let is_start = number == ray.start.object;
     match &object.shape {
-        Shape::Sphere(sphere) if is_start => ray
-            .start
-            .inward
-            .then(|| sphere.across(ray.origin.coordinates, ray.direction)),
+        Shape::Sphere(sphere) if is_start => {
+            Some(sphere.across(ray.origin.coordinates, ray.direction))
+        }
         Shape::Sphere(sphere) => sphere.distance(ray.origin.coordinates, ray.direction),
-        Shape::Plane(_) if is_start => None,
         Shape::Plane(plane) => plane.distance(ray, limit),
         Shape::Quadric(quadric) => quadric_distance(quadric, ray, is_start),
         Shape::Sphereflake(flake) => flake_distance(flake, ray, is_start, limit, part),
@@ -181,27 +208,30 @@ fn flake_distance(
 
 /// Among endless surfaces, at any distance, from any origin.
 #[cold]
-fn nearest_far(scene: &PreparedScene<'_>, ray: &Ray) -> Option<Hit> {
-    nearest_endless(scene, ray).map(|(hit, _)| hit)
-}
-
 #[inline(never)]
 fn nearest_endless(scene: &PreparedScene<'_>, ray: &Ray) -> Option<(Hit, Scaled)> {
     let met = scene.endless.iter().filter_map(|&number| {
         let object = scene.objects.get(usize::from(number))?;
         let is_start = number == ray.start.object;
-        let distance = match &object.shape {
-            Shape::Plane(plane) if !is_start => plane.far_distance(ray),
-            Shape::Quadric(quadric) => {
-                quadric.nearest(ray, is_start.then_some(ray.start.inward))
-            }
-            _ => None,
-        };
-        Some((number, distance?))
+        Some((number, endless_distance(object, ray, is_start)?))
     });
     let (object, distance) = met.min_by_key(|(_, distance)| *distance)?;
-    let point = ray.far_at(distance);
-    Some((Hit { object, point }, distance))
+    let hit = Hit {
+        object,
+        distance: Length::MAX,
+    };
+    Some((hit, distance))
+}
+
+/// How far an endless surface is, at any distance.
+fn endless_distance(object: &Object, ray: &Ray, is_start: bool) -> Option<Scaled> {
+    match &object.shape {
+        Shape::Plane(plane) if !is_start => plane.far_distance(ray),
+        Shape::Quadric(quadric) if quadric.is_endless() => {
+            quadric.nearest(ray, is_start.then_some(ray.start.inward))
+        }
+        _ => None,
+    }
 }
 
 /// From a far origin, outside of all finite geometry.

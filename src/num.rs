@@ -117,7 +117,8 @@ pub(crate) fn upper_product(a: u64, b: u64, shift: u32) -> u64 {
 /// A table has 32 segments for each factor of two, or what is left of it.
 const SEGMENTS: usize = 32;
 
-const ROOT_SEGMENTS: usize = 48;
+/// Up to 1, of which the first quarter is not used: no index is out of range.
+const ROOT_SEGMENTS: usize = 64;
 
 /// A quadratic through the two ends and the middle of a segment, in 2^-20.
 type Quadratic = [i32; 3];
@@ -158,12 +159,12 @@ static RECIPROCAL: [Quadratic; SEGMENTS] = {
     table
 };
 
-/// Of 1/sqrt(x) over [1/4, 1), by the top six bits less 16.
+/// Of 1/sqrt(x) over [1/4, 1), by the top six bits.
 static RECIPROCAL_ROOT: [Quadratic; ROOT_SEGMENTS] = {
     let mut table = [[0; 3]; ROOT_SEGMENTS];
-    let mut i = 0;
+    let mut i = ROOT_SEGMENTS / 4;
     while i < ROOT_SEGMENTS {
-        let x = 256 + 16 * i as u64;
+        let x = 16 * i as u64;
         table[i] = quadratic(
             reciprocal_root_at(x),
             reciprocal_root_at(x + 8),
@@ -200,9 +201,8 @@ pub(crate) fn reciprocal(x: u32) -> u32 {
 #[inline]
 pub(crate) fn reciprocal_root(x: u32) -> u32 {
     debug_assert!(x >> 30 != 0);
-    // 16 to 63, less 16; `min` tells the compiler that the index is in range.
-    let index = ((x >> 26) as usize).wrapping_sub(16).min(ROOT_SEGMENTS - 1);
-    let y = evaluate(RECIPROCAL_ROOT[index], (x >> 12) as i32 & 0x3fff);
+    let segment = RECIPROCAL_ROOT[(x >> 26) as usize];
+    let y = evaluate(segment, (x >> 12) as i32 & 0x3fff);
     // e = 1 - x*y*y: U1F31^2 -> U2F30, * U0F32 -> Q62, and |e| < 2^-15 leaves 48 bits of it.
     let square = (wide(y << 11, y << 11) >> 32) as u32;
     let error = !((wide(x, square) >> 16) as u32) as i32;
@@ -231,15 +231,22 @@ pub(crate) fn wide(a: u32, b: u32) -> u64 {
 pub(crate) fn inverse_length(square: u64) -> InverseLength {
     let (mut high, mut low, mut half_shift) = ((square >> 32) as u32, square as u32, 0);
     if high == 0 {
-        (high, low, half_shift) = (low.max(1), 0, 16);
+        (high, low, half_shift) = (scarce(low), 0, 16);
     }
-    let shift = high.leading_zeros() & !1;
+    let shift = high.leading_zeros() & 30;
     let normalized = high << shift | (low >> 1) >> (31 - shift);
     InverseLength {
         normalized,
         inverse: reciprocal_root(normalized),
         half_shift: half_shift + shift / 2,
     }
+}
+
+/// Few lengths are so short, and a test costs less than to count them in.
+#[cold]
+#[inline(never)]
+fn scarce(low: u32) -> u32 {
+    low.max(1)
 }
 
 /// The reciprocal root of an integer `n`, scaled so that
@@ -259,8 +266,12 @@ impl InverseLength {
     pub(crate) fn length(self) -> u32 {
         // U0F32 * U1F31 -> Q63 in [1/2, 1), times 2^(32 - half_shift)
         let root = wide(self.normalized, self.inverse);
-        let shift = 31 + self.half_shift;
-        ((root + (1 << (shift - 1))) >> shift).min(u64::from(u32::MAX)) as u32
+        if self.half_shift < 2 {
+            let shift = 31 + self.half_shift;
+            return ((root + (1 << (shift - 1))) >> shift).min(u64::from(u32::MAX)) as u32;
+        }
+        let twice = (root >> 32) as u32 >> (self.half_shift - 2);
+        (twice + 1) >> 1
     }
 }
 

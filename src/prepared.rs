@@ -53,13 +53,11 @@ pub(crate) struct Sights<'b> {
     pub(crate) stride: usize,
 }
 
-impl<'b> PreparedScene<'b> {
-    /// How a light sees the bounds of the finite objects.
+impl<'b> Sights<'b> {
+    /// How each light sees them.
     #[inline(always)]
-    pub(crate) fn seen_from_light(&self, index: usize) -> &'b [Sight] {
-        let from = index * self.sights.stride;
-        let to = from + self.finite.len();
-        self.sights.lights.get(from..to).unwrap_or(&[])
+    pub(crate) fn by_light(&self) -> impl Iterator<Item = &'b [Sight]> {
+        self.lights.chunks_exact(self.stride.max(1))
     }
 }
 
@@ -122,6 +120,8 @@ pub(crate) struct Material {
     pub(crate) kt: Color<Factor>,
     /// `U16F16`, 1 to 4096.
     pub(crate) shininess: u32,
+    /// The least cosine of which a highlight can be seen, `U1F31`.
+    pub(crate) dimmest: u32,
     /// Index of refraction, 1 to 4, and its reciprocal.
     pub(crate) ior: Length,
     pub(crate) inverse_ior: Length,
@@ -137,6 +137,7 @@ impl Material {
         kr: Color::<Factor>::BLACK,
         kt: Color::<Factor>::BLACK,
         shininess: 0,
+        dimmest: 0,
         ior: Length::ONE,
         inverse_ior: Length::ONE,
         blinn: false,
@@ -189,6 +190,6 @@ mod tests {
         assert_eq!(size_of::<Bound>(), 16);
         assert_eq!(size_of::<Sight>(), 16);
         assert_eq!(size_of::<Light>(), 28);
-        assert_eq!(size_of::<Material>(), 52);
+        assert_eq!(size_of::<Material>(), 56);
     }
 }

@@ -92,14 +92,41 @@ pub(crate) struct Start {
     pub(crate) part: u32,
     /// Whether the ray runs through the inside of the object.
     pub(crate) inward: bool,
+    /// Whether the ray can meet the object again.
+    pub(crate) again: Again,
+    /// Whether the object is finite.
+    pub(crate) is_finite: bool,
+}
+
+/// Whether a ray can meet the object again that it starts on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Again {
+    /// A flat one.
+    Never,
+    /// A convex one: from its inside.
+    Inward,
+    Perhaps,
 }
 
 impl Start {
+    /// The number of the object, if the ray cannot meet it again; else a number
+    /// that none has.
+    #[inline(always)]
+    pub(crate) fn left(&self) -> u16 {
+        match self.again {
+            Again::Never => self.object,
+            Again::Inward if !self.inward => self.object,
+            _ => Self::NOWHERE.object,
+        }
+    }
+
     /// In the open: the eye or a light.
     pub(crate) const NOWHERE: Self = Self {
         object: u16::MAX,
         part: 0,
         inward: false,
+        again: Again::Perhaps,
+        is_finite: false,
     };
 }
 

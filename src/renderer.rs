@@ -91,7 +91,7 @@ impl<'s, O: Observer> Renderer<'s, O> {
         rays.next().map_or(Color::<Radiance>::BLACK, |ray| {
             trace(
                 self.scene,
-                ray,
+                &ray,
                 None,
                 &mut self.scratch,
                 &mut self.observer,
@@ -153,7 +153,7 @@ impl<O: Observer> Iterator for Pixels<'_, O> {
         self.x += 1;
         Some(trace(
             self.scene,
-            ray,
+            &ray,
             candidates,
             self.scratch,
             self.observer,

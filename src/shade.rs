@@ -8,32 +8,32 @@ use crate::observer::{Observer, share};
 use crate::prepared::{Light, Material, PreparedScene};
 use crate::ray::{Point, Ray, Start};
 use crate::shadow::{ShadowRay, transmittance};
-use crate::shape::Shape;
+use crate::shape::{Shape, Sight};
 use crate::{Color, Vec3, optics};
 
 /// All that shading needs to know of a hit.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Surface<'s> {
     point: Point,
+    /// Of the incoming ray.
+    view: Vec3<Unit>,
     /// Turned to face the incoming ray.
     normal: Vec3<Unit>,
     /// Of the incoming ray and the normal: `-V · n`, not negative.
     cosine: Unit,
     material: &'s Material,
-    object: u16,
-    /// Of a sphereflake: the sphere.
-    part: u32,
-    /// Whether the ray came from behind the surface.
-    inside: bool,
+    /// What a ray that starts here on the same side must not meet again;
+    /// `inward` if the ray came from behind the surface.
+    start: Start,
     /// Whether the surface bounds no inside.
     open: bool,
 }
 
 impl<'s> Surface<'s> {
-    #[inline]
+    #[inline(never)]
     pub(crate) fn new(scene: &PreparedScene<'s>, ray: &Ray, hit: &Hit, part: &Part) -> Self {
-        let point = hit.point;
         let object = scene.object(hit.object);
+        let point = hit.point(object, ray);
         let (normal, open, path) = match &object.shape {
             Shape::Sphere(sphere) => (sphere.normal(point.coordinates), false, 0),
             Shape::Plane(plane) => (plane.normal, plane.bounds.is_some(), 0),
@@ -44,24 +44,29 @@ impl<'s> Surface<'s> {
         let inside = cosine > Unit::ZERO;
         Self {
             point,
+            view: ray.direction,
             normal: if inside { -normal } else { normal },
             cosine: cosine.abs(),
             material: scene.material(object.texture.material(point)),
-            object: hit.object,
-            part: path,
-            inside,
+            start: Start {
+                object: hit.object,
+                part: path,
+                inward: inside,
+                again: object.shape.again(),
+                is_finite: object.shape.is_finite(),
+            },
             open,
         }
     }
 
     /// The object's number.
     pub(crate) fn object(&self) -> u16 {
-        self.object
+        self.start.object
     }
 
     /// Whether the ray came from behind the surface.
     pub(crate) fn inside(&self) -> bool {
-        self.inside
+        self.start.inward
     }
 
     /// `le + ka ia + sum over lights of T (kd (L·n) id + ks S is)`.
@@ -69,59 +74,63 @@ impl<'s> Surface<'s> {
     pub(crate) fn local(
         &self,
         scene: &PreparedScene<'_>,
-        ray: &Ray,
         observer: &mut impl Observer,
     ) -> Color<Radiance> {
         let mut sum = self.material.glow;
         if self.material.kd.is_black() && self.material.ks.is_black() {
             return sum;
         }
-        for (index, light) in scene.lights.iter().enumerate() {
-            // To the light, in steps of the point's shift.
-            let way = self.point.to(light.position);
-            if way.along(self.normal) <= 0 {
-                continue;
-            }
-            let to_light = way.normalized().0;
-            let cosine = to_light.cosine(self.normal);
-            let shadow = ShadowRay {
-                light,
-                sights: scene.seen_from_light(index),
-                to_light,
-                point: &self.point,
-                view: &ray.direction,
-                start: self.start(self.inside),
-            };
-            let left = transmittance(scene, &shadow, observer);
-            observer.shadow(index as u16, left.map(share));
-            if let Some(left) = left {
-                sum = sum.plus(self.lit(light, left, ray, to_light, cosine));
-            }
+        let lights = scene.lights.iter().zip(scene.sights.by_light());
+        for (index, (light, sights)) in (0..).zip(lights) {
+            self.lit(scene, light, sights, &mut sum, index, observer);
         }
         sum
     }
 
-    /// What the surface reflects of one light towards the ray's origin.
-    #[inline]
+    /// Adds what the surface reflects of one light towards the ray's origin.
+    #[inline(never)]
     fn lit(
         &self,
+        scene: &PreparedScene<'_>,
         light: &Light,
-        left: Color<Factor>,
-        ray: &Ray,
-        to_light: Vec3<Unit>,
-        cosine: Unit,
-    ) -> Color<Radiance> {
+        sights: &[Sight],
+        sum: &mut Color<Radiance>,
+        index: u16,
+        observer: &mut impl Observer,
+    ) {
+        // To the light, in steps of the point's shift.
+        let way = self.point.to(light.position);
+        if way.along(self.normal).to_bits() <= 0 {
+            return;
+        }
+        let to_light = way.normalized().0;
+        let shadow = ShadowRay {
+            light,
+            sights,
+            to_light,
+            point: &self.point,
+            view: &self.view,
+            start: &self.start,
+        };
+        let mut left = Color::WHITE;
+        let is_lit = transmittance(scene, &shadow, &mut left, observer);
+        observer.shadow(index, is_lit.then_some(left).map(share));
+        if !is_lit {
+            return;
+        }
         let material = self.material;
         let (mut diffuse, mut specular) = (light.diffuse, light.specular);
         if left != Color::WHITE {
             (diffuse, specular) = (diffuse.filtered(left), specular.filtered(left));
         }
-        let mut sum = material.kd.reflect(factor(cosine), diffuse);
+        let cosine = to_light.cosine(self.normal);
+        *sum = sum.plus(material.kd.reflect(factor(cosine), diffuse));
         if !material.ks.is_black() {
-            let highlight = self.highlight(to_light, cosine, ray.direction);
-            sum = sum.plus(material.ks.reflect(highlight, specular));
+            let highlight = self.highlight(to_light, cosine);
+            if highlight != Factor::ZERO {
+                *sum = sum.plus(material.ks.reflect(highlight, specular));
+            }
         }
-        sum
     }
 
     /// Phong's `(R_L · -V)^s` or Blinn's `(H · n)^s`.
@@ -130,8 +139,8 @@ impl<'s> Surface<'s> {
     /// `R_L · -V = 2 (L·n)(-V·n) + L·V`, and `H · n = (L·n - V·n) / |L - V|`
     /// with `|L - V|² = 2 - 2 L·V`.
     #[inline]
-    fn highlight(&self, to_light: Vec3<Unit>, cosine: Unit, view: Vec3<Unit>) -> Factor {
-        let across = to_light.dot(view);
+    fn highlight(&self, to_light: Vec3<Unit>, cosine: Unit) -> Factor {
+        let across = to_light.dot(self.view);
         let base = if self.material.blinn {
             let sum = (cosine.to_bits() as u32).wrapping_add(self.cosine.to_bits() as u32);
             // |L - V|² / 4, as U0F32, is at most 1 and 0 only against the light.
@@ -145,7 +154,7 @@ impl<'s> Surface<'s> {
             // I4F60 -> Q31
             ((cosine.wide_mul(self.cosine).to_bits() << 1) + across.to_bits() + (1 << 28)) >> 29
         };
-        if base <= 0 {
+        if base < i64::from(self.material.dimmest) {
             return Factor::ZERO;
         }
         let highlight = power(base.min(1 << 31) as u32, self.material.shininess);
@@ -154,15 +163,15 @@ impl<'s> Surface<'s> {
 
     /// What goes on from here, and how much of it counts.
     #[inline]
-    pub(crate) fn shares(&self, ray: &Ray) -> Shares {
+    pub(crate) fn shares(&self) -> Shares {
         let Material { kr, kt, .. } = *self.material;
         let mut shares = Shares {
             reflected: kr,
             transmitted: kt,
-            refraction: ray.direction,
+            refraction: self.view,
         };
         if !kt.is_black() && !self.open {
-            match self.refracted(ray.direction) {
+            match self.refracted() {
                 Some(direction) => shares.refraction = direction,
                 // Total internal reflection: a perfect mirror.
                 None => {
@@ -175,43 +184,34 @@ impl<'s> Surface<'s> {
     }
 
     #[inline(never)]
-    fn refracted(&self, view: Vec3<Unit>) -> Option<Vec3<Unit>> {
+    fn refracted(&self) -> Option<Vec3<Unit>> {
         let Material {
             ior, inverse_ior, ..
         } = *self.material;
-        let eta = if self.inside { ior } else { inverse_ior };
-        optics::refracted(view, self.normal, self.cosine, eta)
+        let eta = if self.inside() { ior } else { inverse_ior };
+        optics::refracted(self.view, self.normal, self.cosine, eta)
     }
 
     /// The ray that is mirrored here.
     #[inline]
-    pub(crate) fn reflected(&self, view: Vec3<Unit>) -> Ray {
-        let direction = optics::mirrored(view, self.normal, self.cosine);
-        self.bounce(direction, self.inside)
+    pub(crate) fn reflected(&self) -> Ray {
+        Ray {
+            origin: self.point,
+            direction: optics::mirrored(self.view, self.normal, self.cosine),
+            start: self.start,
+        }
     }
 
     /// The ray that goes through.
     #[inline]
     pub(crate) fn transmitted(&self, refraction: Vec3<Unit>) -> Ray {
-        self.bounce(refraction, !self.inside)
-    }
-
-    /// What a ray that starts here must not meet again.
-    #[inline]
-    fn start(&self, inward: bool) -> Start {
-        Start {
-            object: self.object,
-            part: self.part,
-            inward,
-        }
-    }
-
-    #[inline]
-    fn bounce(&self, direction: Vec3<Unit>, inward: bool) -> Ray {
         Ray {
             origin: self.point,
-            direction,
-            start: self.start(inward),
+            direction: refraction,
+            start: Start {
+                inward: !self.start.inward,
+                ..self.start
+            },
         }
     }
 }

@@ -27,7 +27,7 @@ pub(crate) struct ShadowRay<'s> {
     /// From where the point is seen, towards it.
     pub(crate) view: &'s Vec3<Unit>,
     /// The surface that the point is on; `inward` if it is lit from its inside.
-    pub(crate) start: Start,
+    pub(crate) start: &'s Start,
 }
 
 impl ShadowRay<'_> {
@@ -63,62 +63,60 @@ impl ShadowRay<'_> {
 
 /// What is left of a light: each surface on the way lets its `kt` through.
 ///
-/// `None` if that is nothing.
+/// False if that is nothing.
 #[inline(never)]
 pub(crate) fn transmittance(
     scene: &PreparedScene<'_>,
     shadow: &ShadowRay<'_>,
+    left: &mut Color<Factor>,
     observer: &mut impl Observer,
-) -> Option<Color<Factor>> {
+) -> bool {
     observer.ray(RayKind::Shadow);
-    let mut left = Color::WHITE;
-    let mut is_finite = false;
+    let left_behind = shadow.start.left();
+    let mut passes = |number| {
+        number == left_behind || {
+            observer.intersections(1);
+            passed(scene, shadow, number, left)
+        }
+    };
     for (sight, around) in shadow.sights.iter().zip(scene.finite) {
         // The opposite direction has the same line.
-        if sight.may_meet(shadow.to_light) {
-            observer.intersections(1);
-            left = passed(scene, shadow, around.object, left)?;
-        }
-        is_finite |= around.object == shadow.start.object;
-    }
-    if shadow.light.is_walled || !is_finite || !shadow.point.is_near() {
-        for &object in scene.endless {
-            observer.intersections(1);
-            left = passed(scene, shadow, object, left)?;
+        if sight.may_meet(shadow.to_light) && !passes(around.object) {
+            return false;
         }
     }
-    Some(left)
+    if shadow.start.is_finite && !shadow.light.is_walled && shadow.point.is_near() {
+        return true;
+    }
+    scene.endless.iter().all(|&object| passes(object))
 }
 
-/// What an object that may be in the way leaves of the light; `None` if that
-/// is nothing.
+/// Takes what an object that may be in the way takes of the light; false if
+/// nothing is left.
 #[inline(never)]
 fn passed(
     scene: &PreparedScene<'_>,
     shadow: &ShadowRay<'_>,
     number: u16,
-    left: Color<Factor>,
-) -> Option<Color<Factor>> {
-    let Some(object) = scene.objects.get(usize::from(number)) else {
-        return Some(left);
-    };
+    left: &mut Color<Factor>,
+) -> bool {
+    let object = scene.object(number);
     let is_start = number == shadow.start.object;
     let light = shadow.light.position;
     let in_the_way = match &object.shape {
-        Shape::Sphere(_) if is_start => shadow.start.inward,
+        Shape::Sphere(_) if is_start => true,
         Shape::Sphere(sphere) => sphere.is_between(light, -shadow.to_light, shadow.distance()),
-        Shape::Plane(_) if is_start => false,
         Shape::Plane(plane) => plane.is_between(light, *shadow.point, *shadow.view),
         Shape::Quadric(_) | Shape::Sphereflake(_) => true,
     };
     if !in_the_way {
-        return Some(left);
+        return true;
     }
     if !is_start && blocks(scene, object) {
-        return None;
+        return false;
     }
-    let left = filtered(scene, shadow, object, is_start, left);
-    (!left.is_black()).then_some(left)
+    *left = filtered(scene, shadow, object, is_start, *left);
+    !left.is_black()
 }
 
 /// Whether an object that is found to be in the way is so for sure, and lets no
@@ -149,7 +147,7 @@ fn filtered(
         Shape::Quadric(quadric) => quadric_crossings(quadric, shadow, is_start),
         Shape::Sphereflake(flake) => {
             let ray = shadow.ray();
-            let from = is_start.then_some(shadow.start);
+            let from = is_start.then_some(*shadow.start);
             flake.crossings(&ray, from, shadow.distance(), &mut |distance| {
                 left = left.filtered(scene.transmitted(object, ray.at(distance)));
                 !left.is_black()
@@ -196,7 +194,7 @@ fn quadric_crossings(
         let back = Ray {
             origin: *shadow.point,
             direction: shadow.to_light,
-            start: shadow.start,
+            start: *shadow.start,
         };
         (back, Some(shadow.start.inward))
     } else {

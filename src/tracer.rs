@@ -3,7 +3,7 @@
 use heapless::Vec;
 
 use crate::Color;
-use crate::intersect::{self, Part};
+use crate::intersect::{self, Hit, Part};
 use crate::num::{Factor, Radiance};
 use crate::observer::{Node, Observer, RayKind, share};
 use crate::prepared::{MAX_DEPTH, PreparedScene, Settings};
@@ -35,56 +35,66 @@ pub(crate) struct Scratch {
 
 type Stack = Vec<Branch, { MAX_DEPTH as usize }>;
 
-/// The radiance that an eye ray brings back.
+/// The radiance that an eye ray brings back, which may meet the `candidates` or,
+/// if there are none given, anything.
 ///
 /// Not inlined: there is one copy of all tracing, whatever it is drawn into.
 #[inline(never)]
 pub(crate) fn trace(
     scene: &PreparedScene<'_>,
-    ray: Ray,
+    ray: &Ray,
     candidates: Option<&[u16]>,
+    scratch: &mut Scratch,
+    observer: &mut impl Observer,
+) -> Color<Radiance> {
+    let part = &mut scratch.part;
+    let hit = match candidates {
+        Some(objects) => intersect::nearest_of(objects, scene, ray, part, observer),
+        None => intersect::nearest(scene, ray, part, observer),
+    };
+    observer.ray(RayKind::Eye);
+    let radiance = match hit {
+        Some(hit) => tree(scene, ray, hit, scratch, observer),
+        None => background(&scene.settings, ray),
+    };
+    if scene.settings.exposure == 0 {
+        return radiance;
+    }
+    radiance.brightened(scene.settings.exposure.into())
+}
+
+/// What the tree of rays from the hit of an eye ray brings back.
+#[inline(never)]
+fn tree(
+    scene: &PreparedScene<'_>,
+    ray: &Ray,
+    hit: Hit,
     Scratch { stack, part }: &mut Scratch,
     observer: &mut impl Observer,
 ) -> Color<Radiance> {
     let settings = &scene.settings;
     let mut radiance = Color::<Radiance>::BLACK;
     let mut branch = Branch {
-        ray,
+        ray: *ray,
         weight: Color::WHITE,
         depth: 0,
         kind: RayKind::Eye,
     };
+    let mut hit = Some(hit);
     let mut budget = RAY_BUDGET;
     loop {
-        let ray = &branch.ray;
-        observer.ray(branch.kind);
-        let mut surface = None;
-        let hit = if branch.depth == 0 {
-            match candidates {
-                Some(objects) => intersect::nearest_of(objects, scene, ray, part, observer),
-                None => intersect::nearest(scene, ray, part, observer),
-            }
-        } else {
-            intersect::nearest(scene, ray, part, observer)
-        };
-        let local = match hit {
+        let goes_on = match &hit {
             Some(hit) => {
-                let surface = surface.insert(Surface::new(scene, ray, &hit, part));
-                surface.local(scene, ray, observer)
+                let surface = Surface::new(scene, &branch.ray, hit, part);
+                let local = surface.local(scene, observer);
+                radiance = radiance.plus(branch.weight.weigh(local));
+                branch.depth < settings.max_depth && follow(&surface, settings, &mut branch, stack)
             }
-            None => background(settings, ray),
+            None => {
+                radiance = radiance.plus(branch.weight.weigh(background(settings, &branch.ray)));
+                false
+            }
         };
-        observer.node(&Node {
-            kind: branch.kind,
-            generation: branch.depth,
-            weight: share(branch.weight),
-            object: surface.as_ref().map(Surface::object),
-            inside: surface.as_ref().is_some_and(Surface::inside),
-            local: local.brightened(settings.exposure.into()),
-        });
-        radiance = radiance.plus(branch.weight.weigh(local));
-        let goes_on = branch.depth < settings.max_depth
-            && surface.is_some_and(|surface| follow(&surface, settings, &mut branch, stack));
         if !goes_on {
             let Some(next) = stack.pop() else {
                 break;
@@ -96,16 +106,15 @@ pub(crate) fn trace(
             stack.clear();
             break;
         }
+        observer.ray(branch.kind);
+        hit = intersect::nearest(scene, &branch.ray, part, observer);
     }
-    if settings.exposure == 0 {
-        return radiance;
-    }
-    radiance.brightened(settings.exposure.into())
+    radiance
 }
 
 /// Turns a branch into the one that follows from its hit, and puts off what
 /// else follows; false if nothing does.
-#[inline]
+#[inline(never)]
 fn follow(
     surface: &Surface<'_>,
     settings: &Settings,
@@ -116,7 +125,7 @@ fn follow(
         reflected,
         transmitted,
         refraction,
-    } = surface.shares(&branch.ray);
+    } = surface.shares();
     let counts = |share: Color<Factor>| {
         let weight = branch.weight.filtered(share);
         let counts = !share.is_black() && !weight.all(|w| w < settings.min_weight);
@@ -140,7 +149,7 @@ fn follow(
     }
     if let Some(weight) = reflected {
         *branch = Branch {
-            ray: surface.reflected(branch.ray.direction),
+            ray: surface.reflected(),
             weight,
             depth,
             kind: RayKind::Reflected,

@@ -84,19 +84,37 @@ impl Plane {
         from.signum() * i64::from(to.signum()) < 0
     }
 
+    /// The same of a near point.
+    #[inline(always)]
+    fn depth_near(&self, point: Vec3<Length>) -> i64 {
+        self.offset - ((point.along(self.normal).to_bits() + (1 << 29)) >> 30)
+    }
+
     /// The distance of a hit from a near point: exact if it is below `limit`,
-    /// else anything above.
+    /// else anything above; [`Length::MAX`] if it is not near.
     #[inline]
     pub(crate) fn distance(&self, ray: &Ray, limit: Length) -> Option<Length> {
-        let (depth, cosine) = self.approach(self.depth(ray.origin), ray.direction)?;
+        let depth = self.depth_near(ray.origin.coordinates);
+        let cosine = ray.direction.cosine(self.normal).to_bits();
+        if (depth >> 32) as i32 ^ cosine < 0 {
+            return None;
+        }
+        let Ok(depth) = i32::try_from(depth) else {
+            return (cosine != 0).then_some(Length::MAX);
+        };
+        let (depth, cosine) = (depth.unsigned_abs(), cosine.unsigned_abs());
+        if depth == 0 || cosine == 0 {
+            return None;
+        }
         // What is beyond the limit is not worth a division.
-        if depth >= wide(cosine, limit.to_bits() as u32) >> 30 {
+        if u64::from(depth) << 30 >= wide(cosine, limit.to_bits() as u32) {
             return Some(Length::MAX);
         }
-        let shift = cosine.leading_zeros();
-        // 1/cosine = reciprocal * 2^(shift - 33) and depth < 2^31
-        let product = wide(depth as u32, reciprocal(cosine << shift));
-        let distance = Length::from_bits((((product >> (32 - shift)) + 1) >> 1) as i32);
+        let shift = cosine.leading_zeros() & 31;
+        // 1/cosine = reciprocal * 2^(shift - 33): Q28, below 2^31.
+        let product = wide(depth, reciprocal(cosine << shift));
+        let twice = ((product >> 32) as u32) << shift | (product as u32 >> 1) >> (31 - shift);
+        let distance = Length::from_bits((twice.wrapping_add(1) >> 1) as i32);
         (self.bounds.is_none() || self.covers(ray.at(distance))).then_some(distance)
     }
 
