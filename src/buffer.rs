@@ -131,6 +131,7 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize> Room
 
     fn push_material(&mut self, mut material: Material) -> Result<(), Full> {
         material.dimmest = dimmest(material.shininess);
+        material.branches = !material.kr.is_black() || !material.kt.is_black();
         self.materials
             .push(material)
             .map_err(|_| Full::new("materials", MATERIALS))

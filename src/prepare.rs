@@ -151,6 +151,7 @@ fn material(material: &scene::Material, scene: &Scene<'_>, exposure: u8) -> Mate
         kr: coefficient(material.kr),
         kt: coefficient(material.kt),
         shininess: (material.shininess.to_bits() >> 16) as u32,
+        branches: false,
         dimmest: 0,
         ior: Length::from_bits(((ior.to_bits() + 8) >> 4) as i32),
         inverse_ior: Length::from_bits(inverse as i32),

@@ -54,10 +54,10 @@ pub(crate) struct Sights<'b> {
 }
 
 impl<'b> Sights<'b> {
-    /// How each light sees them.
+    /// How a light sees them; more may follow than there are.
     #[inline(always)]
-    pub(crate) fn by_light(&self) -> impl Iterator<Item = &'b [Sight]> {
-        self.lights.chunks_exact(self.stride.max(1))
+    pub(crate) fn by_light(&self, index: usize) -> &'b [Sight] {
+        self.lights.get(index * self.stride..).unwrap_or(&[])
     }
 }
 
@@ -120,6 +120,8 @@ pub(crate) struct Material {
     pub(crate) kt: Color<Factor>,
     /// `U16F16`, 1 to 4096.
     pub(crate) shininess: u32,
+    /// Whether it mirrors light or lets it through.
+    pub(crate) branches: bool,
     /// The least cosine of which a highlight can be seen, `U1F31`.
     pub(crate) dimmest: u32,
     /// Index of refraction, 1 to 4, and its reciprocal.
@@ -137,6 +139,7 @@ impl Material {
         kr: Color::<Factor>::BLACK,
         kt: Color::<Factor>::BLACK,
         shininess: 0,
+        branches: false,
         dimmest: 0,
         ior: Length::ONE,
         inverse_ior: Length::ONE,

@@ -5,10 +5,10 @@
 use crate::intersect::{Hit, Part};
 use crate::num::{Factor, Radiance, Unit, power, reciprocal_root};
 use crate::observer::{Observer, share};
-use crate::prepared::{Light, Material, PreparedScene};
+use crate::prepared::{Material, PreparedScene};
 use crate::ray::{Point, Ray, Start};
 use crate::shadow::{ShadowRay, transmittance};
-use crate::shape::{Shape, Sight};
+use crate::shape::Shape;
 use crate::{Color, Vec3, optics};
 
 /// All that shading needs to know of a hit.
@@ -31,7 +31,7 @@ pub(crate) struct Surface<'s> {
 
 impl<'s> Surface<'s> {
     #[inline(never)]
-    pub(crate) fn new(scene: &PreparedScene<'s>, ray: &Ray, hit: &Hit, part: &Part) -> Self {
+    pub(crate) fn new(scene: &PreparedScene<'s>, ray: &Ray, hit: Hit, part: &Part) -> Self {
         let object = scene.object(hit.object);
         let point = hit.point(object, ray);
         let (normal, open, path) = match &object.shape {
@@ -69,22 +69,27 @@ impl<'s> Surface<'s> {
         self.start.inward
     }
 
+    /// Whether rays go on from here.
+    #[inline]
+    pub(crate) fn branches(&self) -> bool {
+        self.material.branches
+    }
+
     /// `le + ka ia + sum over lights of T (kd (L·n) id + ks S is)`.
     #[inline]
     pub(crate) fn local(
         &self,
         scene: &PreparedScene<'_>,
+        sum: &mut Color<Radiance>,
         observer: &mut impl Observer,
-    ) -> Color<Radiance> {
-        let mut sum = self.material.glow;
+    ) {
+        *sum = self.material.glow;
         if self.material.kd.is_black() && self.material.ks.is_black() {
-            return sum;
+            return;
         }
-        let lights = scene.lights.iter().zip(scene.sights.by_light());
-        for (index, (light, sights)) in (0..).zip(lights) {
-            self.lit(scene, light, sights, &mut sum, index, observer);
+        for index in 0..scene.lights.len() {
+            self.lit(scene, index, sum, observer);
         }
-        sum
     }
 
     /// Adds what the surface reflects of one light towards the ray's origin.
@@ -92,12 +97,13 @@ impl<'s> Surface<'s> {
     fn lit(
         &self,
         scene: &PreparedScene<'_>,
-        light: &Light,
-        sights: &[Sight],
+        index: usize,
         sum: &mut Color<Radiance>,
-        index: u16,
         observer: &mut impl Observer,
     ) {
+        let Some(light) = scene.lights.get(index) else {
+            return;
+        };
         // To the light, in steps of the point's shift.
         let way = self.point.to(light.position);
         if way.along(self.normal).to_bits() <= 0 {
@@ -106,7 +112,7 @@ impl<'s> Surface<'s> {
         let to_light = way.normalized().0;
         let shadow = ShadowRay {
             light,
-            sights,
+            sights: scene.sights.by_light(index),
             to_light,
             point: &self.point,
             view: &self.view,
@@ -114,7 +120,7 @@ impl<'s> Surface<'s> {
         };
         let mut left = Color::WHITE;
         let is_lit = transmittance(scene, &shadow, &mut left, observer);
-        observer.shadow(index, is_lit.then_some(left).map(share));
+        observer.shadow(index as u16, is_lit.then_some(left).map(share));
         if !is_lit {
             return;
         }
@@ -168,17 +174,19 @@ impl<'s> Surface<'s> {
         let mut shares = Shares {
             reflected: kr,
             transmitted: kt,
-            refraction: self.view,
+            refraction: None,
         };
-        if !kt.is_black() && !self.open {
-            match self.refracted() {
-                Some(direction) => shares.refraction = direction,
-                // Total internal reflection: a perfect mirror.
-                None => {
-                    shares.reflected = Color::WHITE;
-                    shares.transmitted = Color::<Factor>::BLACK;
-                }
-            }
+        if kt.is_black() {
+            return shares;
+        }
+        shares.refraction = if self.open {
+            Some(self.view)
+        } else {
+            self.refracted()
+        };
+        if shares.refraction.is_none() {
+            // Total internal reflection: a perfect mirror.
+            shares.reflected = Color::WHITE;
         }
         shares
     }
@@ -222,11 +230,11 @@ fn factor(cosine: Unit) -> Factor {
     Factor::from_bits((((cosine.to_bits() + (1 << 14)) >> 15) as u16).min(1 << 15))
 }
 
-/// What goes on from a hit: the share of each ray, black if there is none.
+/// What goes on from a hit: the share of each ray.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Shares {
     pub(crate) reflected: Color<Factor>,
     pub(crate) transmitted: Color<Factor>,
-    /// Where the transmitted ray goes.
-    pub(crate) refraction: Vec3<Unit>,
+    /// Where the transmitted ray goes, if there is one.
+    pub(crate) refraction: Option<Vec3<Unit>>,
 }

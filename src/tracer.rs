@@ -3,8 +3,8 @@
 use heapless::Vec;
 
 use crate::Color;
-use crate::intersect::{self, Hit, Part};
-use crate::num::{Factor, Radiance};
+use crate::intersect::{self, Part};
+use crate::num::{Factor, Radiance, Unit};
 use crate::observer::{Node, Observer, RayKind, share};
 use crate::prepared::{MAX_DEPTH, PreparedScene, Settings};
 use crate::ray::Ray;
@@ -16,13 +16,28 @@ use crate::vector::round_unit;
 /// Depth alone allows 2^33.
 pub(crate) const RAY_BUDGET: u16 = 4096;
 
-/// A ray still to be traced, and how much of it reaches the eye.
+/// A ray still to be traced.
 #[derive(Clone, Copy, Debug)]
 struct Branch {
     ray: Ray,
+    kin: Kin,
+}
+
+/// Where a ray stands in the tree.
+#[derive(Clone, Copy, Debug)]
+struct Kin {
+    /// How much of what it brings back reaches the eye.
     weight: Color<Factor>,
-    depth: u8,
+    generation: u8,
     kind: RayKind,
+}
+
+impl Kin {
+    const EYE: Self = Self {
+        weight: Color::WHITE,
+        generation: 0,
+        kind: RayKind::Eye,
+    };
 }
 
 /// Branches put off: a transmitted ray waits while the reflected one beside
@@ -47,121 +62,136 @@ pub(crate) fn trace(
     scratch: &mut Scratch,
     observer: &mut impl Observer,
 ) -> Color<Radiance> {
+    observer.ray(RayKind::Eye);
     let part = &mut scratch.part;
     let hit = match candidates {
         Some(objects) => intersect::nearest_of(objects, scene, ray, part, observer),
         None => intersect::nearest(scene, ray, part, observer),
     };
-    observer.ray(RayKind::Eye);
-    let radiance = match hit {
-        Some(hit) => tree(scene, ray, hit, scratch, observer),
-        None => background(&scene.settings, ray),
-    };
+    let mut radiance = Color::<Radiance>::BLACK;
+    let eye = Kin::EYE;
+    match hit {
+        Some(hit) => {
+            let surface = Surface::new(scene, ray, hit, part);
+            surface.local(scene, &mut radiance, observer);
+            tell(observer, scene, Some(&surface), eye, radiance);
+            if surface.branches() && scene.settings.max_depth > 0 {
+                tree(scene, &surface, scratch, &mut radiance, observer);
+            }
+        }
+        None => {
+            radiance = background(&scene.settings, ray.direction.y);
+            tell(observer, scene, None, eye, radiance);
+        }
+    }
     if scene.settings.exposure == 0 {
         return radiance;
     }
     radiance.brightened(scene.settings.exposure.into())
 }
 
-/// What the tree of rays from the hit of an eye ray brings back.
+/// Adds what the rays bring back that go on from where the eye ray hit.
 #[inline(never)]
 fn tree(
     scene: &PreparedScene<'_>,
-    ray: &Ray,
-    hit: Hit,
+    surface: &Surface<'_>,
     Scratch { stack, part }: &mut Scratch,
+    radiance: &mut Color<Radiance>,
     observer: &mut impl Observer,
-) -> Color<Radiance> {
-    let settings = &scene.settings;
-    let mut radiance = Color::<Radiance>::BLACK;
-    let mut branch = Branch {
-        ray: *ray,
-        weight: Color::WHITE,
-        depth: 0,
-        kind: RayKind::Eye,
+) {
+    let Some(mut branch) = follow(surface, Kin::EYE, &scene.settings, stack) else {
+        return;
     };
-    let mut hit = Some(hit);
-    let mut budget = RAY_BUDGET;
-    loop {
-        let goes_on = match &hit {
+    for _ in 1..RAY_BUDGET {
+        let Branch { ray, kin } = &branch;
+        observer.ray(kin.kind);
+        let next = match intersect::nearest(scene, ray, part, observer) {
             Some(hit) => {
-                let surface = Surface::new(scene, &branch.ray, hit, part);
-                let local = surface.local(scene, observer);
-                radiance = radiance.plus(branch.weight.weigh(local));
-                branch.depth < settings.max_depth && follow(&surface, settings, &mut branch, stack)
+                let surface = Surface::new(scene, ray, hit, part);
+                let mut local = Color::<Radiance>::BLACK;
+                surface.local(scene, &mut local, observer);
+                tell(observer, scene, Some(&surface), *kin, local);
+                *radiance = radiance.plus(kin.weight.weigh(local));
+                if surface.branches() && kin.generation < scene.settings.max_depth {
+                    follow(&surface, *kin, &scene.settings, stack)
+                } else {
+                    None
+                }
             }
             None => {
-                radiance = radiance.plus(branch.weight.weigh(background(settings, &branch.ray)));
-                false
+                let background = background(&scene.settings, ray.direction.y);
+                tell(observer, scene, None, *kin, background);
+                *radiance = radiance.plus(kin.weight.weigh(background));
+                None
             }
         };
-        if !goes_on {
-            let Some(next) = stack.pop() else {
-                break;
-            };
-            branch = next;
+        match next.or_else(|| stack.pop()) {
+            Some(next) => branch = next,
+            None => return,
         }
-        budget -= 1;
-        if budget == 0 {
-            stack.clear();
-            break;
-        }
-        observer.ray(branch.kind);
-        hit = intersect::nearest(scene, &branch.ray, part, observer);
     }
-    radiance
+    stack.clear();
 }
 
-/// Turns a branch into the one that follows from its hit, and puts off what
-/// else follows; false if nothing does.
+/// Tells of a node of the tree.
+#[inline(always)]
+fn tell(
+    observer: &mut impl Observer,
+    scene: &PreparedScene<'_>,
+    surface: Option<&Surface<'_>>,
+    kin: Kin,
+    local: Color<Radiance>,
+) {
+    observer.node(&Node {
+        kind: kin.kind,
+        generation: kin.generation,
+        weight: share(kin.weight),
+        object: surface.map(Surface::object),
+        inside: surface.is_some_and(Surface::inside),
+        local: local.brightened(scene.settings.exposure.into()),
+    });
+}
+
+/// The branch that follows from a hit, if one does; what else follows is put off.
 #[inline(never)]
-fn follow(
-    surface: &Surface<'_>,
-    settings: &Settings,
-    branch: &mut Branch,
-    stack: &mut Stack,
-) -> bool {
+fn follow(surface: &Surface<'_>, from: Kin, settings: &Settings, stack: &mut Stack) -> Option<Branch> {
     let Shares {
         reflected,
         transmitted,
         refraction,
     } = surface.shares();
-    let counts = |share: Color<Factor>| {
-        let weight = branch.weight.filtered(share);
+    let follows = |share: Color<Factor>, kind| {
+        let weight = from.weight.filtered(share);
         let counts = !share.is_black() && !weight.all(|w| w < settings.min_weight);
-        counts.then_some(weight)
-    };
-    let (reflected, transmitted) = (counts(reflected), counts(transmitted));
-    let depth = branch.depth + 1;
-    if let Some(weight) = transmitted {
-        let transmitted = Branch {
-            ray: surface.transmitted(refraction),
+        counts.then_some(Kin {
             weight,
-            depth,
-            kind: RayKind::Transmitted,
-        };
-        if reflected.is_none() {
-            *branch = transmitted;
-            return true;
-        }
+            generation: from.generation + 1,
+            kind,
+        })
+    };
+    let transmitted = match refraction {
+        Some(direction) => follows(transmitted, RayKind::Transmitted).map(|kin| Branch {
+            ray: surface.transmitted(direction),
+            kin,
+        }),
+        None => None,
+    };
+    let Some(kin) = follows(reflected, RayKind::Reflected) else {
+        return transmitted;
+    };
+    if let Some(transmitted) = transmitted {
         // There is room, as said above; no branch is lost.
         let _ = stack.push(transmitted);
     }
-    if let Some(weight) = reflected {
-        *branch = Branch {
-            ray: surface.reflected(),
-            weight,
-            depth,
-            kind: RayKind::Reflected,
-        };
-    }
-    reflected.is_some()
+    Some(Branch {
+        ray: surface.reflected(),
+        kin,
+    })
 }
 
 /// What a ray that hits nothing brings back.
 #[inline(never)]
-fn background(settings: &Settings, ray: &Ray) -> Color<Radiance> {
-    let height = ray.direction.y;
+fn background(settings: &Settings, height: Unit) -> Color<Radiance> {
     if height <= 0 || settings.horizon == settings.zenith {
         return settings.horizon.into();
     }
