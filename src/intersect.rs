@@ -8,7 +8,7 @@ use crate::Vec3;
 use crate::num::{Length, NEAR_LIMIT, Scaled, Unit};
 use crate::observer::Observer;
 use crate::prepared::{Object, PreparedScene};
-use crate::ray::{Point, Ray};
+use crate::ray::{Point, Ray, Start};
 use crate::shape::{Path, Quadric, Shape, Sphereflake};
 
 /// The nearest surface of a ray.
@@ -27,6 +27,9 @@ impl Hit {
     pub(crate) fn point(self, object: &Object, ray: &Ray) -> Point {
         if self.distance == Length::MAX || !ray.origin.is_near() {
             return self.far_point(object, ray);
+        }
+        if let Shape::Sphere(_) = object.shape {
+            return Point::near(ray.near_at(self.distance));
         }
         ray.at(self.distance)
     }
@@ -63,8 +66,12 @@ pub(crate) fn nearest(
     }
     let mut nearest = Nearest::new(scene, ray, part);
     nearest.meet_finite(observer);
+    let left = ray.start.left();
     for &object in scene.endless {
-        nearest.meet(object, observer);
+        if object != left {
+            observer.intersections(1);
+            nearest.meet(object);
+        }
     }
     nearest.hit()
 }
@@ -79,8 +86,9 @@ pub(crate) fn nearest_of(
     observer: &mut impl Observer,
 ) -> Option<Hit> {
     let mut nearest = Nearest::new(scene, ray, part);
+    observer.intersections(objects.len() as u32);
     for &object in objects {
-        nearest.meet(object, observer);
+        nearest.meet(object);
     }
     nearest.hit()
 }
@@ -90,9 +98,7 @@ struct Nearest<'r> {
     scene: &'r PreparedScene<'r>,
     ray: &'r Ray,
     part: &'r mut Part,
-    /// The number of the object that is left behind.
-    left: u16,
-    object: Option<u16>,
+    object: u16,
     limit: Length,
     /// Whether there is a hit that is not near.
     is_far: bool,
@@ -105,8 +111,7 @@ impl<'r> Nearest<'r> {
             scene,
             ray,
             part,
-            left: ray.start.left(),
-            object: None,
+            object: Start::NOWHERE.object,
             limit: NEAR_LIMIT,
             is_far: false,
         }
@@ -116,65 +121,59 @@ impl<'r> Nearest<'r> {
     #[inline(always)]
     fn meet_finite(&mut self, observer: &mut impl Observer) {
         let (origin, direction) = (self.ray.origin.coordinates, self.ray.direction);
+        let left = self.ray.start.left();
         for around in self.scene.finite {
-            if around.may_meet(origin, direction) {
-                self.meet(around.object, observer);
+            if around.may_meet(origin, direction) && around.object != left {
+                observer.intersections(1);
+                self.meet(around.object);
             }
         }
     }
 
     /// Looks at an object.
-    #[inline(always)]
-    fn meet(&mut self, number: u16, observer: &mut impl Observer) {
-        if number == self.left {
-            return;
-        }
-        observer.intersections(1);
+    ///
+    /// Not inlined: in a loop of few turns, what would be prepared before it
+    /// costs more than it saves.
+    #[inline(never)]
+    fn meet(&mut self, number: u16) {
         let Some(object) = self.scene.objects.get(usize::from(number)) else {
             return;
         };
-        if let Some(distance) = distance(object, self.ray, number, self.limit, self.part) {
-            if distance < self.limit {
-                self.limit = distance;
-                self.object = Some(number);
-            } else {
-                self.is_far |= distance == Length::MAX;
+        let ray = self.ray;
+        let is_start = number == ray.start.object;
+        let origin = ray.origin.coordinates;
+        let distance = match &object.shape {
+            Shape::Sphere(sphere) if is_start => Some(sphere.across(origin, ray.direction)),
+            Shape::Sphere(sphere) => sphere.distance(origin, ray.direction),
+            Shape::Plane(plane) => plane.distance(ray, self.limit),
+            Shape::Quadric(quadric) => quadric_distance(quadric, ray, is_start),
+            Shape::Sphereflake(flake) => {
+                flake_distance(flake, ray, is_start, self.limit, self.part)
             }
+        };
+        let Some(distance) = distance else {
+            return;
+        };
+        if distance < self.limit {
+            self.limit = distance;
+            self.object = number;
+        } else {
+            self.is_far |= distance == Length::MAX;
         }
     }
 
     #[inline(always)]
     fn hit(&self) -> Option<Hit> {
-        match self.object {
-            Some(object) => Some(Hit {
-                object,
+        if self.limit < NEAR_LIMIT {
+            return Some(Hit {
+                object: self.object,
                 distance: self.limit,
-            }),
-            None if self.is_far => nearest_endless(self.scene, self.ray).map(|(hit, _)| hit),
-            None => None,
+            });
         }
-    }
-}
-
-/// How far a ray from a near origin is from an object: exact if it is below
-/// `limit`, else anything above; [`Length::MAX`] if it is not near.
-#[inline(never)]
-fn distance(
-    object: &Object,
-    ray: &Ray,
-    number: u16,
-    limit: Length,
-    part: &mut Part,
-) -> Option<Length> {
-    let is_start = number == ray.start.object;
-    match &object.shape {
-        Shape::Sphere(sphere) if is_start => {
-            Some(sphere.across(ray.origin.coordinates, ray.direction))
+        if self.is_far {
+            return nearest_endless(self.scene, self.ray).map(|(hit, _)| hit);
         }
-        Shape::Sphere(sphere) => sphere.distance(ray.origin.coordinates, ray.direction),
-        Shape::Plane(plane) => plane.distance(ray, limit),
-        Shape::Quadric(quadric) => quadric_distance(quadric, ray, is_start),
-        Shape::Sphereflake(flake) => flake_distance(flake, ray, is_start, limit, part),
+        None
     }
 }
 

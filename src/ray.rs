@@ -134,11 +134,9 @@ impl Ray {
     /// The point at a distance below 8 from a near origin.
     #[inline]
     pub(crate) fn at(&self, distance: Length) -> Point {
-        let origin = self.origin.coordinates;
-        // Coordinates reach 3.5 + 8; what wraps lands beyond 4 and is seen to be far.
-        let coordinates = origin.zip(self.direction.times(distance), Length::wrapping_add);
-        let outside = |c: Length| c.to_bits().wrapping_add(NEAR) as u32 > 2 * NEAR as u32;
-        if outside(coordinates.x) || outside(coordinates.y) || outside(coordinates.z) {
+        let coordinates = self.near_at(distance);
+        let above = |c: Length| (c.to_bits().wrapping_add(NEAR) as u32).saturating_sub(2 * NEAR as u32);
+        if above(coordinates.x) | above(coordinates.y) | above(coordinates.z) != 0 {
             let mantissa = distance.to_bits() as u32;
             return self.far_at(Scaled {
                 mantissa,
@@ -146,6 +144,14 @@ impl Ray {
             });
         }
         Point::near(coordinates)
+    }
+
+    /// The same, if that is near, too.
+    #[inline(always)]
+    pub(crate) fn near_at(&self, distance: Length) -> Vec3<Length> {
+        let origin = self.origin.coordinates;
+        // Coordinates reach 3.5 + 8; what wraps lands beyond 4 and is seen to be far.
+        origin.zip(self.direction.times(distance), Length::wrapping_add)
     }
 
     /// The point at any distance from any origin.

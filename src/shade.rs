@@ -4,10 +4,10 @@
 
 use crate::intersect::{Hit, Part};
 use crate::num::{Factor, Radiance, Unit, power, reciprocal_root};
-use crate::observer::{Observer, share};
-use crate::prepared::{Material, PreparedScene};
-use crate::ray::{Point, Ray, Start};
-use crate::shadow::{ShadowRay, transmittance};
+use crate::observer::{Observer, RayKind, share};
+use crate::prepared::{Light, Material, PreparedScene};
+use crate::ray::{Again, Point, Ray, Start};
+use crate::shadow::ShadowRay;
 use crate::shape::Shape;
 use crate::{Color, Vec3, optics};
 
@@ -34,27 +34,43 @@ impl<'s> Surface<'s> {
     pub(crate) fn new(scene: &PreparedScene<'s>, ray: &Ray, hit: Hit, part: &Part) -> Self {
         let object = scene.object(hit.object);
         let point = hit.point(object, ray);
-        let (normal, open, path) = match &object.shape {
-            Shape::Sphere(sphere) => (sphere.normal(point.coordinates), false, 0),
-            Shape::Plane(plane) => (plane.normal, plane.bounds.is_some(), 0),
-            Shape::Quadric(quadric) => (quadric.normal(point), quadric.is_open(), 0),
-            Shape::Sphereflake(_) => (part.normal, false, part.path),
+        let mut start = Start {
+            object: hit.object,
+            part: 0,
+            inward: false,
+            again: Again::Perhaps,
+            is_finite: true,
+        };
+        let mut open = false;
+        let normal = match &object.shape {
+            Shape::Sphere(sphere) => {
+                start.again = Again::Inward;
+                sphere.normal(point.coordinates)
+            }
+            Shape::Plane(plane) => {
+                (start.again, start.is_finite) = (Again::Never, false);
+                open = plane.bounds.is_some();
+                plane.normal
+            }
+            Shape::Quadric(quadric) => {
+                start.is_finite = !quadric.is_endless();
+                open = quadric.is_open();
+                quadric.normal(point)
+            }
+            Shape::Sphereflake(_) => {
+                start.part = part.path;
+                part.normal
+            }
         };
         let cosine = ray.direction.cosine(normal);
-        let inside = cosine > Unit::ZERO;
+        start.inward = cosine > Unit::ZERO;
         Self {
             point,
             view: ray.direction,
-            normal: if inside { -normal } else { normal },
+            normal: if start.inward { -normal } else { normal },
             cosine: cosine.abs(),
             material: scene.material(object.texture.material(point)),
-            start: Start {
-                object: hit.object,
-                part: path,
-                inward: inside,
-                again: object.shape.again(),
-                is_finite: object.shape.is_finite(),
-            },
+            start,
             open,
         }
     }
@@ -110,16 +126,8 @@ impl<'s> Surface<'s> {
             return;
         }
         let to_light = way.normalized().0;
-        let shadow = ShadowRay {
-            light,
-            sights: scene.sights.by_light(index),
-            to_light,
-            point: &self.point,
-            view: &self.view,
-            start: &self.start,
-        };
         let mut left = Color::WHITE;
-        let is_lit = transmittance(scene, &shadow, &mut left, observer);
+        let is_lit = self.is_lit(scene, light, index, to_light, &mut left, observer);
         observer.shadow(index as u16, is_lit.then_some(left).map(share));
         if !is_lit {
             return;
@@ -137,6 +145,45 @@ impl<'s> Surface<'s> {
                 *sum = sum.plus(material.ks.reflect(highlight, specular));
             }
         }
+    }
+
+    /// Whether light comes through, and what the surfaces on its way leave of it.
+    #[inline(always)]
+    fn is_lit(
+        &self,
+        scene: &PreparedScene<'_>,
+        light: &Light,
+        index: usize,
+        to_light: Vec3<Unit>,
+        left: &mut Color<Factor>,
+        observer: &mut impl Observer,
+    ) -> bool {
+        observer.ray(RayKind::Shadow);
+        let left_behind = self.start.left();
+        let mut passes = |number| {
+            if number == left_behind {
+                return true;
+            }
+            observer.intersections(1);
+            let shadow = ShadowRay {
+                light,
+                to_light,
+                point: &self.point,
+                view: &self.view,
+                start: &self.start,
+            };
+            shadow.passes(scene, number, left)
+        };
+        for (sight, around) in scene.sights.by_light(index).iter().zip(scene.finite) {
+            // The opposite direction has the same line.
+            if sight.may_meet(to_light) && !passes(around.object) {
+                return false;
+            }
+        }
+        if self.start.is_finite && !light.is_walled && self.point.is_near() {
+            return true;
+        }
+        scene.endless.iter().all(|&object| passes(object))
     }
 
     /// Phong's `(R_L · -V)^s` or Blinn's `(H · n)^s`.

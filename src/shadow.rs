@@ -5,10 +5,9 @@
 //! what lets light through, or is of a rarer shape, is looked at more closely.
 
 use crate::num::{Factor, Length, Unit};
-use crate::observer::{Observer, RayKind};
 use crate::prepared::{Light, Object, PreparedScene};
 use crate::ray::{Point, Ray, Start};
-use crate::shape::{Plane, Quadric, Shape, Sight, Sphere};
+use crate::shape::{Plane, Quadric, Shape, Sphere};
 use crate::texture::Texture;
 use crate::vector::round_length;
 use crate::{Color, Vec3};
@@ -19,8 +18,6 @@ use crate::{Color, Vec3};
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ShadowRay<'s> {
     pub(crate) light: &'s Light,
-    /// How the light sees the bounds of the finite objects.
-    pub(crate) sights: &'s [Sight],
     /// From the point to the light.
     pub(crate) to_light: Vec3<Unit>,
     pub(crate) point: &'s Point,
@@ -61,62 +58,34 @@ impl ShadowRay<'_> {
     }
 }
 
-/// What is left of a light: each surface on the way lets its `kt` through.
-///
-/// False if that is nothing.
-#[inline(never)]
-pub(crate) fn transmittance(
-    scene: &PreparedScene<'_>,
-    shadow: &ShadowRay<'_>,
-    left: &mut Color<Factor>,
-    observer: &mut impl Observer,
-) -> bool {
-    observer.ray(RayKind::Shadow);
-    let left_behind = shadow.start.left();
-    let mut passes = |number| {
-        number == left_behind || {
-            observer.intersections(1);
-            passed(scene, shadow, number, left)
+impl ShadowRay<'_> {
+    /// Takes what an object that may be in the way takes of the light; false if
+    /// nothing is left.
+    #[inline(never)]
+    pub(crate) fn passes(
+        &self,
+        scene: &PreparedScene<'_>,
+        number: u16,
+        left: &mut Color<Factor>,
+    ) -> bool {
+        let object = scene.object(number);
+        let is_start = number == self.start.object;
+        let light = self.light.position;
+        let in_the_way = match &object.shape {
+            Shape::Sphere(_) if is_start => true,
+            Shape::Sphere(sphere) => sphere.is_between(light, -self.to_light, self.distance()),
+            Shape::Plane(plane) => plane.is_between(light, *self.point, *self.view),
+            Shape::Quadric(_) | Shape::Sphereflake(_) => true,
+        };
+        if !in_the_way {
+            return true;
         }
-    };
-    for (sight, around) in shadow.sights.iter().zip(scene.finite) {
-        // The opposite direction has the same line.
-        if sight.may_meet(shadow.to_light) && !passes(around.object) {
+        if !is_start && blocks(scene, object) {
             return false;
         }
+        *left = filtered(scene, self, object, is_start, *left);
+        !left.is_black()
     }
-    if shadow.start.is_finite && !shadow.light.is_walled && shadow.point.is_near() {
-        return true;
-    }
-    scene.endless.iter().all(|&object| passes(object))
-}
-
-/// Takes what an object that may be in the way takes of the light; false if
-/// nothing is left.
-#[inline(never)]
-fn passed(
-    scene: &PreparedScene<'_>,
-    shadow: &ShadowRay<'_>,
-    number: u16,
-    left: &mut Color<Factor>,
-) -> bool {
-    let object = scene.object(number);
-    let is_start = number == shadow.start.object;
-    let light = shadow.light.position;
-    let in_the_way = match &object.shape {
-        Shape::Sphere(_) if is_start => true,
-        Shape::Sphere(sphere) => sphere.is_between(light, -shadow.to_light, shadow.distance()),
-        Shape::Plane(plane) => plane.is_between(light, *shadow.point, *shadow.view),
-        Shape::Quadric(_) | Shape::Sphereflake(_) => true,
-    };
-    if !in_the_way {
-        return true;
-    }
-    if !is_start && blocks(scene, object) {
-        return false;
-    }
-    *left = filtered(scene, shadow, object, is_start, *left);
-    !left.is_black()
 }
 
 /// Whether an object that is found to be in the way is so for sure, and lets no

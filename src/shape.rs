@@ -10,8 +10,6 @@ mod quadric;
 mod sphere;
 mod sphereflake;
 
-use crate::ray::Again;
-
 pub(crate) use bound::{Around, Bound, Sight};
 pub(crate) use plane::{Bounds, Plane};
 pub(crate) use quadric::{Cone, Cylinder, Ellipsoid, Form, Paraboloid, Quadric};
@@ -41,16 +39,6 @@ impl Shape {
             Self::Plane(_) => None,
             Self::Quadric(quadric) => quadric.bounding_sphere(),
             Self::Sphereflake(flake) => Some(flake.bounding_sphere()),
-        }
-    }
-
-    /// Whether a ray that starts on it can meet it again.
-    #[inline]
-    pub(crate) fn again(&self) -> Again {
-        match self {
-            Self::Sphere(_) => Again::Inward,
-            Self::Plane(_) => Again::Never,
-            Self::Quadric(_) | Self::Sphereflake(_) => Again::Perhaps,
         }
     }
 

@@ -3,6 +3,7 @@
 use crate::Axis;
 use crate::num::Length;
 use crate::ray::Point;
+use crate::vector::high;
 
 /// What covers a prepared object: the numbers of materials.
 #[derive(Clone, Copy, Debug)]
@@ -59,14 +60,26 @@ impl Checker {
             Axis::Y => p.y,
             Axis::Z => p.z,
         };
-        // Q28 * Q31 -> Q59, in cells; a pair is twice as long: Q60; to Q32.
-        let product = i64::from(coordinate.to_bits()) * i64::from(self.mantissa);
-        let shift = i32::from(self.exponent) + i32::from(point.shift) - 28;
-        let pairs = if shift < 0 {
-            product >> (-shift).min(63)
-        } else {
-            product.wrapping_shl(shift as u32)
-        };
-        (pairs as u32).wrapping_add(self.phase[axis & 1])
+        // Q28 * Q31 -> Q59, in cells; a pair is twice as long: Q60; to Q32. The
+        // mantissa less 2 fits a signed word, for which chips have a multiply.
+        let product = i64::from(coordinate.to_bits()) * i64::from(self.mantissa as i32);
+        let (high, low) = (high(product).wrapping_add(coordinate.to_bits()), product as u32);
+        let shift = 28 - i32::from(self.exponent) - i32::from(point.shift);
+        if (1..32).contains(&shift) {
+            let shift = shift as u32;
+            let pairs = low >> shift | (high as u32) << 1 << (31 - shift);
+            return pairs.wrapping_add(self.phase[axis & 1]);
+        }
+        let product = i64::from(high) << 32 | i64::from(low);
+        far_position(product, shift).wrapping_add(self.phase[axis & 1])
+    }
+}
+
+#[cold]
+fn far_position(product: i64, shift: i32) -> u32 {
+    if shift > 0 {
+        (product >> shift.min(63)) as u32
+    } else {
+        product.wrapping_shl(shift.unsigned_abs()) as u32
     }
 }

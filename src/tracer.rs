@@ -76,7 +76,7 @@ pub(crate) fn trace(
             surface.local(scene, &mut radiance, observer);
             tell(observer, scene, Some(&surface), eye, radiance);
             if surface.branches() && scene.settings.max_depth > 0 {
-                tree(scene, &surface, scratch, &mut radiance, observer);
+                tree(scene, ray, &surface, scratch, &mut radiance, observer);
             }
         }
         None => {
@@ -94,43 +94,55 @@ pub(crate) fn trace(
 #[inline(never)]
 fn tree(
     scene: &PreparedScene<'_>,
+    ray: &Ray,
     surface: &Surface<'_>,
     Scratch { stack, part }: &mut Scratch,
     radiance: &mut Color<Radiance>,
     observer: &mut impl Observer,
 ) {
-    let Some(mut branch) = follow(surface, Kin::EYE, &scene.settings, stack) else {
-        return;
+    let mut branch = Branch {
+        ray: *ray,
+        kin: Kin::EYE,
     };
+    let mut goes_on = follow(surface, &scene.settings, &mut branch, stack);
     for _ in 1..RAY_BUDGET {
-        let Branch { ray, kin } = &branch;
-        observer.ray(kin.kind);
-        let next = match intersect::nearest(scene, ray, part, observer) {
-            Some(hit) => {
-                let surface = Surface::new(scene, ray, hit, part);
-                let mut local = Color::<Radiance>::BLACK;
-                surface.local(scene, &mut local, observer);
-                tell(observer, scene, Some(&surface), *kin, local);
-                *radiance = radiance.plus(kin.weight.weigh(local));
-                if surface.branches() && kin.generation < scene.settings.max_depth {
-                    follow(&surface, *kin, &scene.settings, stack)
-                } else {
-                    None
-                }
-            }
-            None => {
-                let background = background(&scene.settings, ray.direction.y);
-                tell(observer, scene, None, *kin, background);
-                *radiance = radiance.plus(kin.weight.weigh(background));
-                None
-            }
-        };
-        match next.or_else(|| stack.pop()) {
-            Some(next) => branch = next,
-            None => return,
+        if !goes_on {
+            let Some(next) = stack.pop() else {
+                return;
+            };
+            branch = next;
         }
+        goes_on = visit(scene, &mut branch, stack, part, radiance, observer);
     }
     stack.clear();
+}
+
+/// Traces a branch, adds what it brings back, and turns it into the one that
+/// follows; false if none does.
+#[inline(never)]
+fn visit(
+    scene: &PreparedScene<'_>,
+    branch: &mut Branch,
+    stack: &mut Stack,
+    part: &mut Part,
+    radiance: &mut Color<Radiance>,
+    observer: &mut impl Observer,
+) -> bool {
+    observer.ray(branch.kin.kind);
+    let Some(hit) = intersect::nearest(scene, &branch.ray, part, observer) else {
+        let background = background(&scene.settings, branch.ray.direction.y);
+        tell(observer, scene, None, branch.kin, background);
+        *radiance = radiance.plus(branch.kin.weight.weigh(background));
+        return false;
+    };
+    let surface = Surface::new(scene, &branch.ray, hit, part);
+    let mut local = Color::<Radiance>::BLACK;
+    surface.local(scene, &mut local, observer);
+    tell(observer, scene, Some(&surface), branch.kin, local);
+    *radiance = radiance.plus(branch.kin.weight.weigh(local));
+    surface.branches()
+        && branch.kin.generation < scene.settings.max_depth
+        && follow(&surface, &scene.settings, branch, stack)
 }
 
 /// Tells of a node of the tree.
@@ -152,14 +164,21 @@ fn tell(
     });
 }
 
-/// The branch that follows from a hit, if one does; what else follows is put off.
+/// Turns a branch into the one that follows from its hit, and puts off what
+/// else follows; false if nothing does.
 #[inline(never)]
-fn follow(surface: &Surface<'_>, from: Kin, settings: &Settings, stack: &mut Stack) -> Option<Branch> {
+fn follow(
+    surface: &Surface<'_>,
+    settings: &Settings,
+    branch: &mut Branch,
+    stack: &mut Stack,
+) -> bool {
     let Shares {
         reflected,
         transmitted,
         refraction,
     } = surface.shares();
+    let from = branch.kin;
     let follows = |share: Color<Factor>, kind| {
         let weight = from.weight.filtered(share);
         let counts = !share.is_black() && !weight.all(|w| w < settings.min_weight);
@@ -169,24 +188,24 @@ fn follow(surface: &Surface<'_>, from: Kin, settings: &Settings, stack: &mut Sta
             kind,
         })
     };
-    let transmitted = match refraction {
-        Some(direction) => follows(transmitted, RayKind::Transmitted).map(|kin| Branch {
-            ray: surface.transmitted(direction),
-            kin,
-        }),
-        None => None,
-    };
-    let Some(kin) = follows(reflected, RayKind::Reflected) else {
-        return transmitted;
-    };
-    if let Some(transmitted) = transmitted {
-        // There is room, as said above; no branch is lost.
-        let _ = stack.push(transmitted);
+    let mut goes_on = false;
+    if let Some(direction) = refraction
+        && let Some(kin) = follows(transmitted, RayKind::Transmitted)
+    {
+        let ray = surface.transmitted(direction);
+        *branch = Branch { ray, kin };
+        goes_on = true;
     }
-    Some(Branch {
-        ray: surface.reflected(),
-        kin,
-    })
+    if let Some(kin) = follows(reflected, RayKind::Reflected) {
+        if goes_on {
+            // There is room, as said above; no branch is lost.
+            let _ = stack.push(*branch);
+        }
+        let ray = surface.reflected();
+        *branch = Branch { ray, kin };
+        goes_on = true;
+    }
+    goes_on
 }
 
 /// What a ray that hits nothing brings back.
