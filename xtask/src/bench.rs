@@ -4,6 +4,8 @@
 mod budget;
 mod count;
 mod document;
+mod growth;
+mod section;
 mod subject;
 
 use std::collections::BTreeMap;
@@ -14,16 +16,16 @@ use anyhow::{Context, Result, ensure};
 
 use crate::command::command;
 use crate::qemu::{Arithmetic, Core, Machine};
-use crate::root;
 use crate::symbols::Symbols;
 use count::count;
 use subject::{SUBJECTS, Subject};
 
 pub use budget::{bless, check};
 pub use count::Row;
+pub use growth::run as growth;
 
 /// Counts, and prints the document of what was found. Where nothing was left
-/// out the document replaces the one in the project.
+/// out it replaces its section of docs/benchmarks.md, and growth is counted too.
 pub fn run(scene: Option<&str>, core: Option<Core>, json: Option<&Path>) -> Result<()> {
     let subjects: Vec<Subject> = SUBJECTS
         .into_iter()
@@ -46,10 +48,11 @@ pub fn run(scene: Option<&str>, core: Option<Core>, json: Option<&Path>) -> Resu
             .with_context(|| file.display().to_string())?;
     }
     let document = document::write(&rows, &renderer, &toolchain()?);
-    if scene.is_none() && core.is_none() {
-        fs::write(root().join("docs/benchmarks.md"), &document)?;
-    }
     print!("{document}");
+    if scene.is_none() && core.is_none() {
+        section::replace("frames", &document)?;
+        growth()?;
+    }
     Ok(())
 }
 

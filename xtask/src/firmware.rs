@@ -16,6 +16,8 @@ pub struct Firmware {
     pub package: &'static str,
     /// The target.
     pub target: &'static str,
+    /// Features of the package, or nothing.
+    pub features: &'static str,
 }
 
 /// Instructions of the Cortex-M0 and M0+.
@@ -38,10 +40,17 @@ const PROFILE: &str = "firmware";
 pub const LM3S6965EVB: Firmware = Firmware {
     package: "lm3s6965evb",
     target: V7M,
+    features: "",
 };
 
 /// The firmware that draws any scene, for each kind of core.
 pub const HEADLESS: [Firmware; 4] = [headless(V6M), headless(V7M), headless(V7EM), headless(V8M)];
+
+/// The firmware with room for 256 objects, on the Cortex-M3.
+pub(crate) const CROWD: Firmware = Firmware {
+    features: "crowd",
+    ..headless(V7M)
+};
 
 /// The yardstick in floating point, for each kind of core.
 pub const FLOAT: [Firmware; 4] = [float(V6M), float(V7M), float(V7EM), float(V8M)];
@@ -50,6 +59,7 @@ pub(crate) const fn headless(target: &'static str) -> Firmware {
     Firmware {
         package: "headless",
         target,
+        features: "",
     }
 }
 
@@ -57,6 +67,7 @@ pub(crate) const fn float(target: &'static str) -> Firmware {
     Firmware {
         package: "float",
         target,
+        features: "",
     }
 }
 
@@ -72,6 +83,7 @@ impl Firmware {
         let mut build = cargo();
         build.args(["build", "--quiet", "--profile", PROFILE]);
         build.args(["--package", self.package, "--target", self.target]);
+        build.args(["--features", self.features]);
         if let Some(scene) = scene {
             build.env("SCENE", scene);
         }
@@ -82,7 +94,12 @@ impl Firmware {
             .join(PROFILE)
             .join(self.package);
         let scene = scene.and_then(Path::file_stem).unwrap_or_default();
-        let name = format!("{}-{}-{}.elf", self.package, self.target, scene.display());
+        let Self {
+            package,
+            target,
+            features,
+        } = self;
+        let name = format!("{package}{features}-{target}-{}.elf", scene.display());
         let copy = scratch_dir()?.join(name);
         fs::copy(&program, &copy)
             .with_context(|| format!("no firmware at {}", program.display()))?;

@@ -22,6 +22,7 @@ cargo xtask TASK
   bench [--scene NAME] [--core CORE] [--json FILE]
                         Counts the instructions of pictures on all cores, next to
                         those in floating point; writes docs/benchmarks.md.
+  bench --growth        Only how they grow with the spheres in view.
   bench --check         Fails where a picture takes more than its budget.
   bench --bless         Makes what pictures take now the budget.
   profile SCENE [--core CORE] [--size WxH]
@@ -86,6 +87,9 @@ fn headless(options: &Options) -> Result<()> {
 }
 
 fn bench(options: &Options) -> Result<()> {
+    if options.growth {
+        return bench::growth();
+    }
     match (options.check, options.bless) {
         (_, true) => bench::bless(),
         (true, false) => bench::check(),
@@ -116,6 +120,7 @@ struct Options {
     only_scene: Option<String>,
     check: bool,
     bless: bool,
+    growth: bool,
     arithmetic: Arithmetic,
 }
 
@@ -131,6 +136,7 @@ impl Options {
             only_scene: None,
             check: false,
             bless: false,
+            growth: false,
             arithmetic: Arithmetic::Fixed,
         };
         while let Some(argument) = arguments.next()? {
@@ -143,6 +149,7 @@ impl Options {
                 Long("scene") => options.only_scene = Some(arguments.value()?.string()?),
                 Long("check") => options.check = true,
                 Long("bless") => options.bless = true,
+                Long("growth") => options.growth = true,
                 Long("float") => options.arithmetic = Arithmetic::Float,
                 Value(value) => options.values.push(value.string()?),
                 other => return Err(other.unexpected().into()),

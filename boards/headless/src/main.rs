@@ -12,7 +12,10 @@ use measure::{Report, Stopwatch};
 use mps2::{Blind, Job};
 use whitted::{DecodeError, Renderer, SceneBuffer};
 
+#[cfg(not(feature = "crowd"))]
 type Buffer = SceneBuffer<64, 8, 64>;
+#[cfg(feature = "crowd")]
+type Buffer = SceneBuffer<256, 1, 1>;
 type File = [u8; 16 * 1024];
 
 #[entry]

@@ -130,7 +130,7 @@ fn sizes(text: &mut String, rows: &[Row], renderer: &BTreeMap<Core, u64>) -> std
 }
 
 /// `12345678` as `12.3 M`.
-fn millions(count: u64) -> String {
+pub(crate) fn millions(count: u64) -> String {
     let millions = count as f64 / 1e6;
     if millions < 100.0 {
         format!("{millions:.1} M")
@@ -140,7 +140,7 @@ fn millions(count: u64) -> String {
 }
 
 /// `12345678` as `12,345,678`.
-fn thousands(count: u64) -> String {
+pub(crate) fn thousands(count: u64) -> String {
     let digits = count.to_string();
     let mut text = String::new();
     for (index, digit) in digits.chars().enumerate() {
