@@ -1,0 +1,114 @@
+//! `cargo bench`: the library next to the tests' plain tracer in `f32`, the same
+//! that `boards/float` counts, on the machine that this runs on.
+//!
+//! Both draw the same frames of `Rgb565` line by line, on one thread, from
+//! scenes that are ready to be traced. No test depends on a time.
+
+use std::error::Error;
+use std::hint::black_box;
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use criterion::{Criterion, SamplingMode};
+use embedded_graphics::pixelcolor::Rgb565;
+use embedded_graphics::prelude::*;
+use whitted::Renderer;
+use whitted_sim::scene_file;
+
+/// Scenes, and the sizes that they are drawn at: the flake's is small, as it
+/// takes floats a second else.
+const FRAMES: [(&str, Size); 3] = [
+    ("whitted", Size::new(320, 240)),
+    ("four_spheres", Size::new(320, 240)),
+    ("sphereflake", Size::new(80, 60)),
+];
+
+/// Frames of each tracer that the ratio is told from.
+const ROUNDS: usize = 31;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let mut criterion = Criterion::default()
+        .sample_size(20)
+        .warm_up_time(Duration::from_secs(1))
+        .measurement_time(Duration::from_secs(4))
+        .configure_from_args();
+    let mut ratios = Vec::new();
+    for (name, size) in FRAMES {
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("scenes/{name}.toml"));
+        let scene_file = scene_file::load(&file)?;
+        let mut buffer = Box::new(scene_file::Buffer::new());
+        let scene = scene_file.prepare(&mut buffer)?;
+        let mut fixed = fixed(Renderer::new(&scene, size));
+        let scene = whitted_oracle::load::<f32>(&file);
+        let mut float = float(scene.scene(), size);
+
+        let mut group = criterion.benchmark_group(format!("{name} {}x{}", size.width, size.height));
+        // Frames take milliseconds: each sample the same few.
+        group.sampling_mode(SamplingMode::Flat);
+        group.bench_function("fixed point", |bencher| bencher.iter(&mut fixed));
+        group.bench_function("f32", |bencher| bencher.iter(&mut float));
+        group.finish();
+        ratios.push((name, ratio(&mut fixed, &mut float)));
+    }
+    criterion.final_summary();
+    for (name, ratio) in ratios {
+        println!("{name} is {ratio:.2} times as fast as f32 on this host");
+    }
+    Ok(())
+}
+
+/// Draws a frame by the library.
+fn fixed(mut renderer: Renderer<'_>) -> impl FnMut() {
+    let Size { width, height } = renderer.size();
+    let mut line = vec![Rgb565::BLACK; width as usize];
+    move || {
+        for y in 0..height {
+            renderer.render_line(y, &mut line);
+            black_box(&mut line);
+        }
+    }
+}
+
+/// Draws a frame by the plain tracer.
+fn float(scene: whitted_oracle::Scene<'_, f32>, size: Size) -> impl FnMut() {
+    let Size { width, height } = size;
+    let view = scene.camera.view(width, height);
+    let mut line = vec![Rgb565::BLACK; width as usize];
+    move || {
+        for y in 0..height {
+            for (x, pixel) in (0..).zip(&mut line) {
+                *pixel = shown(scene.pixel(&view, x, y));
+            }
+            black_box(&mut line);
+        }
+    }
+}
+
+/// Clipped, then rounded to the nearest level.
+fn shown(color: whitted_oracle::Color<f32>) -> Rgb565 {
+    let level = |value: f32, max: u8| ((value * f32::from(max) + 0.5) as u32).min(max.into()) as u8;
+    Rgb565::new(
+        level(color.x, Rgb565::MAX_R),
+        level(color.y, Rgb565::MAX_G),
+        level(color.z, Rgb565::MAX_B),
+    )
+}
+
+/// How many times the second takes what the first does: the median of frames
+/// drawn in turn, so that whatever else the machine does slows both.
+fn ratio(first: &mut impl FnMut(), second: &mut impl FnMut()) -> f64 {
+    let mut ratios: Vec<f64> = (0..ROUNDS)
+        .map(|_| {
+            let first = seconds(first);
+            seconds(second) / first
+        })
+        .collect();
+    ratios.sort_by(f64::total_cmp);
+    ratios[ROUNDS / 2]
+}
+
+fn seconds(frame: &mut impl FnMut()) -> f64 {
+    let start = Instant::now();
+    frame();
+    start.elapsed().as_secs_f64()
+}
