@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use anyhow::{Result, bail};
 use lexopt::prelude::*;
 use xtask::qemu::{Arithmetic, Core, Machine};
-use xtask::{bench, firmware, profile, qemu, size, test, tidy};
+use xtask::{bench, firmware, povray, profile, qemu, size, test, tidy};
 
 const HELP: &str = "\
 cargo xtask TASK
@@ -27,6 +27,8 @@ cargo xtask TASK
   bench --bless         Makes what pictures take now the budget.
   profile SCENE [--core CORE] [--size WxH]
                         Where the instructions of a frame go, by function and line.
+  povray [--depth N]    Times POV-Ray, where it is installed, and `cargo sim render` on
+                        the sphereflake of this depth; 6 unless told.
   size                  Flash and RAM of each firmware.
   tidy                  Checks the rules of the source code.
 ";
@@ -54,6 +56,7 @@ fn task() -> Result<()> {
         "headless" => headless(&options),
         "bench" => bench(&options),
         "profile" => profile(&options),
+        "povray" => povray::run(options.depth),
         "size" => size::print(),
         "tidy" => tidy::run(),
         _ => {
@@ -121,6 +124,7 @@ struct Options {
     check: bool,
     bless: bool,
     growth: bool,
+    depth: u32,
     arithmetic: Arithmetic,
 }
 
@@ -137,6 +141,7 @@ impl Options {
             check: false,
             bless: false,
             growth: false,
+            depth: 6,
             arithmetic: Arithmetic::Fixed,
         };
         while let Some(argument) = arguments.next()? {
@@ -149,6 +154,7 @@ impl Options {
                 Long("scene") => options.only_scene = Some(arguments.value()?.string()?),
                 Long("check") => options.check = true,
                 Long("bless") => options.bless = true,
+                Long("depth") => options.depth = arguments.value()?.parse()?,
                 Long("growth") => options.growth = true,
                 Long("float") => options.arithmetic = Arithmetic::Float,
                 Value(value) => options.values.push(value.string()?),
