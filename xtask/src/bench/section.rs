@@ -45,4 +45,13 @@ mod tests {
         assert_eq!(replaced("<!-- a -->\nold\n", "a", "new\n"), None);
         assert_eq!(replaced("", "b", "new\n"), None);
     }
+
+    #[test]
+    fn the_document_has_the_sections() -> Result<()> {
+        let document = fs::read_to_string(root().join("docs/benchmarks.md"))?;
+        for name in ["frames", "growth"] {
+            assert!(replaced(&document, name, "").is_some(), "{name}");
+        }
+        Ok(())
+    }
 }
