@@ -64,7 +64,9 @@ pub(crate) fn dimmest(exponent: u32) -> u32 {
 /// be between it and one of them.
 pub(crate) fn look(light: &mut Light, objects: &[Object], sights: &mut [Sight]) {
     light.is_walled = false;
-    let bounds = objects.iter().filter_map(|object| object.shape.bounding_sphere());
+    let bounds = objects
+        .iter()
+        .filter_map(|object| object.shape.bounding_sphere());
     for (bound, sight) in bounds.zip(sights) {
         *sight = bound.seen_from(light.position);
         light.is_walled |= objects
@@ -77,7 +79,10 @@ pub(crate) fn look(light: &mut Light, objects: &[Object], sights: &mut [Sight]) 
 fn may_part(endless: &Shape, point: Vec3<Length>, bound: &Bound) -> bool {
     match endless {
         Shape::Plane(plane) => {
-            let (from, to) = (plane.depth(Point::near(point)), plane.depth(Point::near(bound.center)));
+            let (from, to) = (
+                plane.depth(Point::near(point)),
+                plane.depth(Point::near(bound.center)),
+            );
             from.signum() != to.signum() || to.abs() < i64::from(bound.radius.to_bits())
         }
         _ => !endless.is_finite(),

@@ -341,7 +341,7 @@ fn spheres() {
         let sphere = Sphere::new(random.point(0.5), radius);
         let ray = random.ray();
         let (origin, view) = (ray.origin.coordinates, ray.direction);
-        let Some(distance) = sphere.distance(&sphere.sight(origin), view) else {
+        let Some(distance) = sphere.distance(origin, view) else {
             continue;
         };
         let from_center = |from: Vec3<Length>, view, distance: Length| {
@@ -378,9 +378,8 @@ fn planes() {
             bounds: None,
         };
         let ray = random.ray();
-        let Some(distance) =
-            plane.distance(&plane.sight(ray.origin.coordinates), &ray, Length::MAX)
-        else {
+        let near = plane.distance(&ray, Length::MAX);
+        let Some(distance) = near.filter(|distance| *distance < Length::MAX) else {
             continue;
         };
         let way = times(units(ray.direction), distance.to_num());

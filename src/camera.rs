@@ -1,7 +1,7 @@
 //! Where rays come from: a pinhole camera in front of a raster of pixels.
 
 use crate::Vec3;
-use crate::num::{Length, Scaled, Unit, inverse_length, quotient, reciprocal, wide};
+use crate::num::{Length, Scaled, Square, Unit, inverse_length, quotient, reciprocal, wide};
 use crate::prepared::Camera;
 use crate::ray::{Point, Ray, Start};
 use crate::shape::Plane;
@@ -77,7 +77,7 @@ impl View {
     pub(crate) fn row(&self, y: u32) -> Row {
         let up = i64::from(self.height) - 2 * i64::from(y.min(MAX_SIDE)) - 1;
         // Q58 -> Q26
-        let height = (up * self.half_pixel as i64) >> 32;
+        let height = ((up * self.half_pixel as i64) >> 32) as i32;
         let Line {
             direction, step, ..
         } = self.line(y);
@@ -91,7 +91,7 @@ impl View {
             eye: self.eye,
             ends: [end(0), end(last)],
             height,
-            stretch: (1 << 24) + ((height * height) >> 28),
+            stretch: (1 << 24) + (height.square() >> 28),
             half_pixel: self.half_pixel,
             width: self.width as u16,
         }
@@ -104,7 +104,7 @@ pub(crate) struct Row {
     /// The directions of the first and the last ray, not of unit length.
     ends: [Vec3<Unit>; 2],
     /// Y, Q26.
-    pub(crate) height: i64,
+    pub(crate) height: i32,
     /// `1 + Y²`, Q24.
     pub(crate) stretch: i64,
     half_pixel: u64,
@@ -173,7 +173,7 @@ impl Iterator for Line {
         self.remaining = self.remaining.checked_sub(1)?;
         // Q62 -> Q30, rounded
         let direction = self.direction.map(|c| ((c + (1 << 31)) >> 32) as i32);
-        let square = direction.map(|c| i64::from(c) * i64::from(c));
+        let square = direction.map(|c| c.square());
         let inverse = inverse_length((square.x + square.y + square.z) as u64);
         self.direction = self.direction.zip(self.step, i64::wrapping_add);
         Some(Ray {

@@ -7,7 +7,7 @@
 use heapless::Vec;
 
 use crate::camera::{Row, View};
-use crate::num::{Length, square_root};
+use crate::num::{Length, Product, Square, square_root};
 use crate::prepared::PreparedScene;
 use crate::shape::{Bound, Shape};
 
@@ -104,10 +104,10 @@ impl Coverage {
 fn columns(bound: &Bound, row: &Row) -> Option<[u16; 2]> {
     let whole = Some([0, row.width]);
     let Bound { center, radius } = *bound;
-    let radius_squared = radius.wide_mul(radius);
+    let radius_squared = radius.square();
     // Q28 and Q26 * Q28 -> Q54, to Q24; below 128.
     let across = |p: Length, q: Length| {
-        (i64::from(p.to_bits()) >> 4) + ((i64::from(row.height) * i64::from(q.to_bits())) >> 30)
+        (i64::from(p.to_bits()) >> 4) + (row.height.product(q.to_bits()) >> 30)
     };
     let aside = across(center.y, -center.z);
     let ahead = across(center.z, center.y);

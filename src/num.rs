@@ -12,6 +12,10 @@
 //! root start from a table of quadratics that is exact to 2^-17 and take one
 //! Newton step. The tables are computed by the compiler, in integers.
 
+mod product;
+
+pub(crate) use product::{Product, Square};
+
 /// An authored number: the range and precision of a scene as it is written
 /// down, ±2^31 in steps of 2^-32.
 pub type Real = fixed::types::I32F32;
@@ -78,23 +82,40 @@ impl Scaled {
     }
 }
 
+/// The upper word of a number above 0 once it is shifted up by as many bits as
+/// there are free, and by how many that is; an even number if the mask is 30
+/// and not 31.
+///
+/// By shifts of words: those of 64 bits are calls on the M0+.
+#[inline(always)]
+fn shifted_up(x: u64, mask: u32) -> (u32, u32) {
+    let (mut high, mut low, mut shift) = ((x >> 32) as u32, x as u32, 0);
+    if high == 0 {
+        (high, low, shift) = (scarce(low), 0, 32);
+    }
+    let up = high.leading_zeros() & mask;
+    (high << up | (low >> 1) >> (31 - up), shift + up)
+}
+
+/// Few numbers are so small, and a test costs less than to count them in.
+#[cold]
+#[inline(never)]
+fn scarce(low: u32) -> u32 {
+    low.max(1)
+}
+
 /// `2^30 n / d` for numbers above 0, relative error below 2^-29.
 ///
 /// The quotient of Q58 by Q60, of Q56 by Q58 or of Q28 by Q30 is then in steps
 /// of 2^-28.
 #[inline]
 pub(crate) fn quotient(n: u64, d: u64) -> Scaled {
-    let (n_shift, d_shift) = (n.leading_zeros(), d.leading_zeros());
-    let mantissa = |x: u64, shift: u32| ((x << shift) >> 32) as u32;
-    let product = wide(
-        mantissa(n, n_shift),
-        reciprocal(mantissa(d, d_shift) | 1 << 31),
-    );
-    let last = product.leading_zeros();
+    let ((n, n_shift), (d, d_shift)) = (shifted_up(n, 31), shifted_up(d, 31));
+    let (mantissa, last) = shifted_up(wide(n, reciprocal(d | 1 << 31)), 31);
     // n = mantissa * 2^(32 - n_shift), 1/d = reciprocal * 2^(d_shift - 95) and
     // product = the quotient's mantissa * 2^(32 - last).
     Scaled {
-        mantissa: ((product << last) >> 32) as u32,
+        mantissa,
         exponent: d_shift as i32 - n_shift as i32 - last as i32 - 1,
     }
 }
@@ -103,9 +124,8 @@ pub(crate) fn quotient(n: u64, d: u64) -> Scaled {
 /// error below 2^-30; shifted left by `shift`.
 #[inline]
 pub(crate) fn upper_product(a: u64, b: u64, shift: u32) -> u64 {
-    let (a_shift, b_shift) = (a.leading_zeros() & 63, b.leading_zeros() & 63);
-    let mantissa = |x: u64, shift: u32| ((x << shift) >> 32) as u32;
-    let product = wide(mantissa(a, a_shift), mantissa(b, b_shift));
+    let ((a, a_shift), (b, b_shift)) = (shifted_up(a, 31), shifted_up(b, 31));
+    let product = wide(a, b);
     let down = (a_shift + b_shift) as i32 - shift as i32;
     if down >= 0 {
         product.checked_shr(down as u32).unwrap_or(0)
@@ -215,38 +235,26 @@ pub(crate) fn reciprocal_root(x: u32) -> u32 {
 #[inline(always)]
 fn refined(y: u32, error: i32) -> u32 {
     // y in 2^-30 is below 2^31, so that the product is one of signed words.
-    let step = (i64::from((y << 10) as i32) * i64::from(error)) >> 32;
+    let step = (((y << 10) as i32).product(error)) >> 32;
     (y << 11).wrapping_add_signed(step as i32 >> 14)
 }
 
 /// The full product of two words.
 #[inline(always)]
 pub(crate) fn wide(a: u32, b: u32) -> u64 {
-    u64::from(a) * u64::from(b)
+    a.product(b)
 }
 
 /// 1/sqrt(x): `x` is an integer, and the result in units of 2^-32 times the
 /// scaled mantissa. A zero counts as one.
 #[inline]
 pub(crate) fn inverse_length(square: u64) -> InverseLength {
-    let (mut high, mut low, mut half_shift) = ((square >> 32) as u32, square as u32, 0);
-    if high == 0 {
-        (high, low, half_shift) = (scarce(low), 0, 16);
-    }
-    let shift = high.leading_zeros() & 30;
-    let normalized = high << shift | (low >> 1) >> (31 - shift);
+    let (normalized, shift) = shifted_up(square, 30);
     InverseLength {
         normalized,
         inverse: reciprocal_root(normalized),
-        half_shift: half_shift + shift / 2,
+        half_shift: shift / 2,
     }
-}
-
-/// Few lengths are so short, and a test costs less than to count them in.
-#[cold]
-#[inline(never)]
-fn scarce(low: u32) -> u32 {
-    low.max(1)
 }
 
 /// The reciprocal root of an integer `n`, scaled so that

@@ -1,7 +1,7 @@
 //! Where light goes at a surface: mirrored and refracted directions.
 
 use crate::Vec3;
-use crate::num::{Length, Unit, square_root};
+use crate::num::{Length, Product, Square, Unit, square_root};
 use crate::vector::round_unit;
 
 /// `V - 2 n (n·V)`, of which the second term may be 2 long.
@@ -10,7 +10,7 @@ use crate::vector::round_unit;
 #[inline]
 pub(crate) fn mirrored(view: Vec3<Unit>, normal: Vec3<Unit>, cosine: Unit) -> Vec3<Unit> {
     view.zip(normal, |v, n| {
-        v.wrapping_add(round_unit(n.wide_mul(cosine).to_bits(), 29))
+        v.wrapping_add(round_unit(n.product(cosine).to_bits(), 29))
     })
     .renormalized()
 }
@@ -27,18 +27,18 @@ pub(crate) fn refracted(
     eta: Length,
 ) -> Option<Vec3<Unit>> {
     // sin² = 1 - c²: Q60 -> U0F32; η²: I8F56 -> U5F27; their product: Q59
-    let sine_squared = ((1 << 60) - cosine.wide_mul(cosine).to_bits()).max(0) >> 28;
+    let sine_squared = ((1 << 60) - cosine.square().to_bits()).max(0) >> 28;
     let sine_squared = sine_squared.min(i64::from(u32::MAX)) as u64;
-    let eta_squared = (eta.wide_mul(eta).to_bits() >> 29) as u64;
+    let eta_squared = (eta.square().to_bits() >> 29) as u64;
     let k = (1 << 59) - (sine_squared * eta_squared) as i64;
     if k < 0 {
         return None;
     }
     // Q59 -> Q56, whose root is in Q28; η c: I4F28 * I2F30 -> Q28
     let root = i64::from(square_root((k >> 3) as u64));
-    let along = ((eta.wide_mul(cosine).to_bits() + (1 << 29)) >> 30) - root;
+    let along = ((eta.product(cosine).to_bits() + (1 << 29)) >> 30) - root;
     let direction = view.zip(normal, |v, n| {
-        let sum = eta.wide_mul(v).to_bits() + along * i64::from(n.to_bits());
+        let sum = eta.product(v).to_bits() + along * i64::from(n.to_bits());
         round_unit(sum, 28)
     });
     Some(direction.renormalized())

@@ -7,7 +7,7 @@
 //! itself is only known to 2^-30, so nothing is lost by it.
 
 use crate::Vec3;
-use crate::num::{Length, Scaled, Unit};
+use crate::num::{Length, Product, Scaled, Unit};
 use crate::vector::round_length;
 
 /// How far near points reach, per coordinate.
@@ -135,7 +135,8 @@ impl Ray {
     #[inline]
     pub(crate) fn at(&self, distance: Length) -> Point {
         let coordinates = self.near_at(distance);
-        let above = |c: Length| (c.to_bits().wrapping_add(NEAR) as u32).saturating_sub(2 * NEAR as u32);
+        let above =
+            |c: Length| (c.to_bits().wrapping_add(NEAR) as u32).saturating_sub(2 * NEAR as u32);
         if above(coordinates.x) | above(coordinates.y) | above(coordinates.z) != 0 {
             let mantissa = distance.to_bits() as u32;
             return self.far_at(Scaled {
@@ -190,7 +191,7 @@ impl Ray {
         let middle = ((middle + (1 << 29)) >> 30) as i32;
         // The ray's foot point, nearest to the scene's origin: far steps, Q58.
         let foot = coordinates.zip(self.direction, |c, d| {
-            (i64::from(c.to_bits()) << 30) + i64::from(d.to_bits()) * i64::from(middle)
+            (i64::from(c.to_bits()) << 30) + d.to_bits().product(middle)
         });
         let passes = |c: i64| c.abs() > REACH >> shift;
         if passes(foot.x) || passes(foot.y) || passes(foot.z) {

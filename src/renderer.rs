@@ -13,7 +13,7 @@ use crate::{Color, Pixel, PreparedScene};
 
 /// Draws a scene line by line, each pixel once, without a framebuffer.
 ///
-/// It holds the stack of rays, so it takes 1.7 KB; keep it in a `static` or
+/// It holds the stack of rays and what a line may show, so it takes 2.2 KB; keep it in a `static` or
 /// high up on the stack. The picture's aspect follows its size.
 ///
 /// ```
@@ -173,6 +173,6 @@ mod tests {
     #[test]
     fn a_renderer_takes_as_many_bytes_as_documented() {
         let size = size_of::<Renderer<'_>>();
-        assert!(size <= 1700, "{size}");
+        assert!(size <= 2250, "{size}");
     }
 }

@@ -3,7 +3,7 @@
 //! Shading never traces: [`crate::tracer`] walks the tree of rays.
 
 use crate::intersect::{Hit, Part};
-use crate::num::{Factor, Radiance, Unit, power, reciprocal_root};
+use crate::num::{Factor, Product, Radiance, Unit, power, reciprocal_root};
 use crate::observer::{Observer, RayKind, share};
 use crate::prepared::{Light, Material, PreparedScene};
 use crate::ray::{Again, Point, Ray, Start};
@@ -201,11 +201,11 @@ impl<'s> Surface<'s> {
             let square = square.clamp(1, i64::from(u32::MAX)) as u32;
             let shift = square.leading_zeros() & !1;
             // Q30 * U1F31 * 2^(shift/2) / 2 -> Q31
-            let product = u64::from(sum) * u64::from(reciprocal_root(square << shift));
+            let product = sum.product(reciprocal_root(square << shift));
             (product >> (31 - shift / 2)) as i64
         } else {
             // I4F60 -> Q31
-            ((cosine.wide_mul(self.cosine).to_bits() << 1) + across.to_bits() + (1 << 28)) >> 29
+            ((cosine.product(self.cosine).to_bits() << 1) + across.to_bits() + (1 << 28)) >> 29
         };
         if base < i64::from(self.material.dimmest) {
             return Factor::ZERO;

@@ -130,11 +130,7 @@ fn filtered(
     left
 }
 
-fn sphere_crossings(
-    sphere: &Sphere,
-    shadow: &ShadowRay<'_>,
-    is_start: bool,
-) -> [Option<Point>; 2] {
+fn sphere_crossings(sphere: &Sphere, shadow: &ShadowRay<'_>, is_start: bool) -> [Option<Point>; 2] {
     let ray = shadow.ray();
     let [entry, exit] = sphere.crossings(shadow.light.position, ray.direction);
     let before = |distance: &Length| *distance > Length::ZERO && *distance < shadow.distance();

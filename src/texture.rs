@@ -1,7 +1,7 @@
 //! Which material covers a point of a surface.
 
 use crate::Axis;
-use crate::num::Length;
+use crate::num::{Length, Product};
 use crate::ray::Point;
 use crate::vector::high;
 
@@ -62,8 +62,11 @@ impl Checker {
         };
         // Q28 * Q31 -> Q59, in cells; a pair is twice as long: Q60; to Q32. The
         // mantissa less 2 fits a signed word, for which chips have a multiply.
-        let product = i64::from(coordinate.to_bits()) * i64::from(self.mantissa as i32);
-        let (high, low) = (high(product).wrapping_add(coordinate.to_bits()), product as u32);
+        let product = coordinate.to_bits().product(self.mantissa as i32);
+        let (high, low) = (
+            high(product).wrapping_add(coordinate.to_bits()),
+            product as u32,
+        );
         let shift = 28 - i32::from(self.exponent) - i32::from(point.shift);
         if (1..32).contains(&shift) {
             let shift = shift as u32;

@@ -5,7 +5,7 @@ use core::ops::{Add, Neg, Sub};
 use fixed::types::{I4F60, I6F58, I8F56};
 
 use crate::Real;
-use crate::num::{InverseLength, Length, Unit, inverse_length};
+use crate::num::{InverseLength, Length, Product, Square, Unit, inverse_length};
 
 /// A point or a vector: x to the right, y up, z towards the viewer.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -78,13 +78,13 @@ impl Vec3<Length> {
     /// The length along a direction, exact: `I4F28 * I2F30 -> I6F58`.
     #[inline(always)]
     pub(crate) fn along(self, direction: Vec3<Unit>) -> I6F58 {
-        self.x.wide_mul(direction.x) + self.y.wide_mul(direction.y) + self.z.wide_mul(direction.z)
+        self.x.product(direction.x) + self.y.product(direction.y) + self.z.product(direction.z)
     }
 
     /// The square of its length, exact: `I4F28^2 -> I8F56`.
     #[inline(always)]
     pub(crate) fn squared(self) -> I8F56 {
-        self.x.wide_mul(self.x) + self.y.wide_mul(self.y) + self.z.wide_mul(self.z)
+        self.x.square() + self.y.square() + self.z.square()
     }
 
     /// The cross product with a direction: `I4F28 * I2F30 -> I4F28`, rounded.
@@ -93,7 +93,7 @@ impl Vec3<Length> {
     #[inline]
     pub(crate) fn cross(self, direction: Vec3<Unit>) -> Self {
         let minor = |p: Length, q: Unit, r: Length, s: Unit| {
-            round_length((p.wide_mul(q) - r.wide_mul(s)).to_bits(), 30)
+            round_length((p.product(q) - r.product(s)).to_bits(), 30)
         };
         let d = direction;
         Self::new(
@@ -147,7 +147,7 @@ pub(crate) fn direction(v: Vec3<i64>) -> Option<Vec3<Unit>> {
     } else {
         v.map(|c| (((c >> (most - 31)) + 1) >> 1) as i32)
     };
-    let square = v.map(|c| i64::from(c) * i64::from(c));
+    let square = v.map(|c| c.square());
     let inverse = inverse_length((square.x + square.y + square.z) as u64);
     Some(normalize(v, inverse).renormalized())
 }
@@ -156,12 +156,12 @@ impl Vec3<Unit> {
     /// The product of two directions, exact: `I2F30^2 -> I4F60`.
     #[inline(always)]
     pub(crate) fn dot(self, other: Self) -> I4F60 {
-        self.x.wide_mul(other.x) + self.y.wide_mul(other.y) + self.z.wide_mul(other.z)
+        self.x.product(other.x) + self.y.product(other.y) + self.z.product(other.z)
     }
 
     /// The cross product, exact: `I2F30^2 -> I4F60`.
     pub(crate) fn cross(self, other: Self) -> Vec3<i64> {
-        let minor = |p: Unit, q: Unit, r: Unit, s: Unit| (p.wide_mul(q) - r.wide_mul(s)).to_bits();
+        let minor = |p: Unit, q: Unit, r: Unit, s: Unit| (p.product(q) - r.product(s)).to_bits();
         Vec3::new(
             minor(self.y, other.z, self.z, other.y),
             minor(self.z, other.x, self.x, other.z),
@@ -178,7 +178,7 @@ impl Vec3<Unit> {
     /// This direction, `distance` long: `I2F30 * I4F28 -> I4F28`, rounded.
     #[inline(always)]
     pub(crate) fn times(self, distance: Length) -> Vec3<Length> {
-        self.map(|c| round_length(c.wide_mul(distance).to_bits(), 30))
+        self.map(|c| round_length(c.product(distance).to_bits(), 30))
     }
 
     /// A vector of nearly unit length made unit by one Newton step: n(3 - n²)/2.
@@ -188,7 +188,7 @@ impl Vec3<Unit> {
     pub(crate) fn renormalized(self) -> Self {
         let excess = ((1_i64 << 60) - self.dot(self).to_bits()) >> 30;
         self.map(|c| {
-            let step = (i64::from(c.to_bits()) * i64::from(excess as i32) + (1 << 30)) >> 31;
+            let step = (c.to_bits().product(excess as i32) + (1 << 30)) >> 31;
             Unit::from_bits(c.to_bits() + step as i32)
         })
     }

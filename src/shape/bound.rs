@@ -1,5 +1,5 @@
 use crate::Vec3;
-use crate::num::{Length, Unit};
+use crate::num::{Length, Square, Unit};
 use crate::vector::high;
 
 /// A sphere around all of a finite shape.
@@ -16,7 +16,7 @@ impl Bound {
     /// How a near point sees it.
     pub(crate) fn seen_from(&self, point: Vec3<Length>) -> Sight {
         let to_center = self.center - point;
-        let square = to_center.squared() - self.radius.wide_mul(self.radius);
+        let square = to_center.squared() - self.radius.square();
         Sight {
             to_center,
             least: (high(square.to_bits()) >> 4).saturating_sub(2),
@@ -27,7 +27,7 @@ impl Bound {
     pub(crate) fn around(&self, object: u16) -> Around {
         Around {
             center: self.center,
-            reach: high(self.radius.wide_mul(self.radius).to_bits()) + 4,
+            reach: high(self.radius.square().to_bits()) + 4,
             object,
         }
     }
@@ -55,7 +55,7 @@ impl Sight {
     pub(crate) fn may_meet(&self, direction: Vec3<Unit>) -> bool {
         // Q58 -> Q26, whose square is Q52 -> Q20.
         let middle = high(self.to_center.along(direction).to_bits());
-        high(i64::from(middle) * i64::from(middle)) >= self.least
+        high(middle.square()) >= self.least
     }
 }
 
@@ -80,7 +80,7 @@ impl Around {
         let nearest = if middle < 0 {
             square
         } else {
-            square - high(i64::from(middle) * i64::from(middle))
+            square - high(middle.square())
         };
         nearest <= self.reach
     }

@@ -19,7 +19,7 @@ use quadratic::Quadratic;
 use super::bound::Bound;
 
 use crate::Vec3;
-use crate::num::{Length, Scaled, Unit, square_root};
+use crate::num::{Length, Product, Scaled, Square, Unit, square_root};
 use crate::ray::{HORIZON, Point, Ray};
 use crate::vector::{direction, round_length};
 
@@ -76,7 +76,7 @@ impl Quadric {
             Form::Paraboloid(form) => form.widest(height),
         };
         let width = width.map_or(FARTHEST, |width| width.min(FARTHEST));
-        let square = width.wide_mul(width) + height.wide_mul(height);
+        let square = width.square() + height.square();
         let radius = Length::from_bits(square_root(square.to_bits() as u64) as i32);
         Some(Bound {
             center: self.center,
@@ -139,7 +139,7 @@ impl Quadric {
             return distance.exponent <= HORIZON;
         };
         distance.near().is_some_and(|distance| {
-            let rise = round_length(ray.direction.y.wide_mul(distance).to_bits(), 30);
+            let rise = round_length(ray.direction.y.product(distance).to_bits(), 30);
             let y = ray.origin.coordinates.y.saturating_add(rise);
             low <= y && y <= high
         })

@@ -1,7 +1,7 @@
 use fixed::types::I8F56;
 
 use crate::Vec3;
-use crate::num::{Length, Unit, square_root};
+use crate::num::{Length, Square, Unit, square_root};
 use crate::vector::round_length;
 
 use super::bound::Bound;
@@ -37,7 +37,7 @@ impl Sphere {
         Self {
             center,
             radius,
-            radius_squared: radius.wide_mul(radius),
+            radius_squared: radius.square(),
         }
     }
 
@@ -87,7 +87,7 @@ impl Sphere {
         };
         // The entry is before the chord's middle, the exit after it.
         let rest = distance.saturating_sub(approach.middle);
-        let square = rest.wide_mul(rest);
+        let square = rest.square();
         if approach.outside {
             rest > Length::ZERO || square < approach.discriminant
         } else {
@@ -97,11 +97,7 @@ impl Sphere {
 
     /// The distance to the nearest hit ahead.
     #[inline]
-    pub(crate) fn distance(
-        &self,
-        origin: Vec3<Length>,
-        direction: Vec3<Unit>,
-    ) -> Option<Length> {
+    pub(crate) fn distance(&self, origin: Vec3<Length>, direction: Vec3<Unit>) -> Option<Length> {
         let approach = self.approach(origin, direction)?;
         let half = approach.half();
         let distance = if approach.outside {

@@ -13,7 +13,7 @@ mod walk;
 pub(crate) use flake::{MAX_DEPTH, Parts, Path, Sphereflake};
 
 use crate::Vec3;
-use crate::num::{Length, Unit};
+use crate::num::{Length, Product, Unit};
 use crate::ray::{Ray, Start};
 use crate::vector::round_unit;
 use node::{Chord, Node};
@@ -120,7 +120,7 @@ impl Sphereflake {
         }
         let [u, v, w] = self.axes();
         let along = |u: Unit, v: Unit, w: Unit| {
-            let sum = u.wide_mul(normal.x) + v.wide_mul(normal.y) + w.wide_mul(normal.z);
+            let sum = u.product(normal.x) + v.product(normal.y) + w.product(normal.z);
             round_unit(sum.to_bits(), 30)
         };
         Vec3::new(

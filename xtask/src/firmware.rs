@@ -52,6 +52,13 @@ pub(crate) const CROWD: Firmware = Firmware {
     ..headless(V7M)
 };
 
+/// Compares full products with the plain ones, where they are in assembly.
+pub const PRODUCTS: Firmware = Firmware {
+    package: "products",
+    target: V6M,
+    features: "",
+};
+
 /// The yardstick in floating point, for each kind of core.
 pub const FLOAT: [Firmware; 4] = [float(V6M), float(V7M), float(V7EM), float(V8M)];
 

@@ -121,6 +121,17 @@ impl Machine {
         Running::start(self.drawing(elf, scene, size))?.finish()
     }
 
+    /// Runs firmware that needs nothing of the host.
+    pub fn run(self, elf: &Path) -> Result<Report> {
+        let mut qemu = firmware_in(self.name, elf);
+        qemu.args(["-display", "none", "-chardev", "stdio,id=host"]);
+        qemu.args([
+            "-semihosting-config",
+            "enable=on,target=native,chardev=host",
+        ]);
+        Running::start(qemu)?.finish()
+    }
+
     /// QEMU, about to draw.
     pub(crate) fn drawing(self, elf: &Path, scene: &Path, size: &str) -> Command {
         // A comma ends a value, unless doubled.

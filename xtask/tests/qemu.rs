@@ -8,7 +8,7 @@ use embedded_graphics::pixelcolor::Gray4;
 use embedded_graphics::prelude::*;
 use whitted::Renderer;
 use whitted_sim::{render, scene_file};
-use xtask::firmware::LM3S6965EVB;
+use xtask::firmware::{LM3S6965EVB, PRODUCTS};
 use xtask::qemu::{self, Arithmetic, Core, Machine};
 use xtask::{root, scratch_dir};
 
@@ -147,6 +147,14 @@ fn a_broken_scene_is_told_on_display_and_uart() -> Result<()> {
     assert_eq!(report.get("error")?, "damaged: wrong checksum");
     let lit = shown(&shot)?.iter().filter(|level| **level == 15).count();
     assert!((200..2000).contains(&lit), "{lit} pixels of text");
+    Ok(())
+}
+
+#[test]
+fn products_in_assembly_are_exact() -> Result<()> {
+    let report = Machine::of(Core::M0).run(&PRODUCTS.build(None)?)?;
+    report.result()?;
+    assert!(report.number("pairs")? > 2_000_000, "{report}");
     Ok(())
 }
 

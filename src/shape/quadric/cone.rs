@@ -1,5 +1,5 @@
 use crate::Vec3;
-use crate::num::{Length, Unit, quotient};
+use crate::num::{Length, Product, Square, Unit, quotient};
 use crate::vector::{round_length, round_unit};
 
 use super::quadratic::Quadratic;
@@ -20,15 +20,19 @@ pub(crate) struct Cone {
 impl Cone {
     /// Its largest radius so far from its center along y, if it is near.
     pub(super) fn widest(&self, height: Length) -> Option<Length> {
-        let growth = round_length(height.wide_mul(self.axial.abs()).to_bits(), 30);
+        let growth = round_length(height.product(self.axial.abs()).to_bits(), 30);
         let squeezed = self.radius.abs() + growth;
-        quotient(squeezed.to_bits().max(1) as u64, self.radial.to_bits() as u64).near()
+        quotient(
+            squeezed.to_bits().max(1) as u64,
+            self.radial.to_bits() as u64,
+        )
+        .near()
     }
 
     /// x, v and z, in steps of `2^shift`.
     #[inline]
     fn squeezed(&self, v: Vec3<Length>, shift: u8) -> Vec3<Length> {
-        let squeeze = |c: Length, k: Unit| round_length(c.wide_mul(k).to_bits(), 30);
+        let squeeze = |c: Length, k: Unit| round_length(c.product(k).to_bits(), 30);
         Vec3::new(
             squeeze(v.x, self.radial),
             (self.radius >> u32::from(shift)) - squeeze(v.y, self.axial),
@@ -46,18 +50,18 @@ impl Cone {
         direction: Vec3<Unit>,
         shift: u8,
     ) -> Quadratic {
-        let squeeze = |c: Unit, k: Unit| round_unit(c.wide_mul(k).to_bits(), 30);
+        let squeeze = |c: Unit, k: Unit| round_unit(c.product(k).to_bits(), 30);
         let o = self.squeezed(offset, shift);
         let d = Vec3::new(
             squeeze(direction.x, self.radial),
             -squeeze(direction.y, self.axial),
             squeeze(direction.z, self.radial),
         );
-        let cross = o.cross(d).map(|c| c.wide_mul(c));
+        let cross = o.cross(d).map(|c| c.square());
         Quadratic {
-            a: (d.x.wide_mul(d.x) + d.z.wide_mul(d.z) - d.y.wide_mul(d.y)).to_bits(),
-            b: (o.x.wide_mul(d.x) + o.z.wide_mul(d.z) - o.y.wide_mul(d.y)).to_bits(),
-            c: (o.x.wide_mul(o.x) + o.z.wide_mul(o.z) - o.y.wide_mul(o.y)).to_bits(),
+            a: (d.x.square() + d.z.square() - d.y.square()).to_bits(),
+            b: (o.x.product(d.x) + o.z.product(d.z) - o.y.product(d.y)).to_bits(),
+            c: (o.x.square() + o.z.square() - o.y.square()).to_bits(),
             discriminant: (cross.x + cross.z - cross.y).to_bits(),
         }
     }
@@ -67,9 +71,9 @@ impl Cone {
     pub(super) fn gradient(&self, offset: Vec3<Length>, shift: u8) -> Vec3<i64> {
         let o = self.squeezed(offset, shift);
         Vec3::new(
-            o.x.wide_mul(self.radial).to_bits(),
-            o.y.wide_mul(self.axial).to_bits(),
-            o.z.wide_mul(self.radial).to_bits(),
+            o.x.product(self.radial).to_bits(),
+            o.y.product(self.axial).to_bits(),
+            o.z.product(self.radial).to_bits(),
         )
     }
 }

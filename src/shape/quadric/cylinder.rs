@@ -1,5 +1,5 @@
 use crate::Vec3;
-use crate::num::{Length, Unit, upper_product};
+use crate::num::{Length, Product, Square, Unit, upper_product};
 use crate::vector::round_length;
 
 use super::quadratic::Quadratic;
@@ -21,16 +21,16 @@ impl Cylinder {
         shift: u8,
     ) -> Quadratic {
         let (o, d) = (offset, direction);
-        let a = (d.x.wide_mul(d.x) + d.z.wide_mul(d.z)).to_bits();
-        let radius_squared = self.radius.wide_mul(self.radius).to_bits() >> (2 * shift);
+        let a = (d.x.square() + d.z.square()).to_bits();
+        let radius_squared = self.radius.square().to_bits() >> (2 * shift);
         let reach = upper_product(radius_squared as u64, a as u64, 4) as i64;
-        let cross = o.x.wide_mul(d.z) - o.z.wide_mul(d.x);
+        let cross = o.x.product(d.z) - o.z.product(d.x);
         let cross = round_length(cross.to_bits(), 30);
         Quadratic {
             a,
-            b: (o.x.wide_mul(d.x) + o.z.wide_mul(d.z)).to_bits(),
-            c: (o.x.wide_mul(o.x) + o.z.wide_mul(o.z)).to_bits() - radius_squared,
-            discriminant: reach - cross.wide_mul(cross).to_bits(),
+            b: (o.x.product(d.x) + o.z.product(d.z)).to_bits(),
+            c: (o.x.square() + o.z.square()).to_bits() - radius_squared,
+            discriminant: reach - cross.square().to_bits(),
         }
     }
 

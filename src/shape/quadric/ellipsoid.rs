@@ -1,5 +1,5 @@
 use crate::Vec3;
-use crate::num::{Length, Unit, quotient, upper_product};
+use crate::num::{Length, Product, Square, Unit, quotient, upper_product};
 use crate::vector::{round_length, round_unit};
 
 use super::quadratic::Quadratic;
@@ -25,7 +25,7 @@ impl Ellipsoid {
     #[inline]
     fn squeezed(&self, v: Vec3<Length>) -> Vec3<Length> {
         v.zip(self.squeeze, |c, k| {
-            round_length(c.wide_mul(k).to_bits(), 30)
+            round_length(c.product(k).to_bits(), 30)
         })
     }
 
@@ -35,9 +35,9 @@ impl Ellipsoid {
     #[inline]
     pub(super) fn quadratic(&self, offset: Vec3<Length>, direction: Vec3<Unit>) -> Quadratic {
         let o = self.squeezed(offset);
-        let d = direction.zip(self.squeeze, |c, k| round_unit(c.wide_mul(k).to_bits(), 30));
+        let d = direction.zip(self.squeeze, |c, k| round_unit(c.product(k).to_bits(), 30));
         let a = d.dot(d).to_bits();
-        let radius_squared = self.radius.wide_mul(self.radius).to_bits();
+        let radius_squared = self.radius.square().to_bits();
         let reach = upper_product(radius_squared as u64, a as u64, 4) as i64;
         Quadratic {
             a,
@@ -51,6 +51,6 @@ impl Ellipsoid {
     #[inline]
     pub(super) fn gradient(&self, offset: Vec3<Length>) -> Vec3<i64> {
         self.squeezed(offset)
-            .zip(self.squeeze, |c, k| c.wide_mul(k).to_bits())
+            .zip(self.squeeze, |c, k| c.product(k).to_bits())
     }
 }

@@ -1,7 +1,7 @@
 use fixed::types::I8F56;
 
 use crate::Vec3;
-use crate::num::{Length, Unit, square_root, upper_product};
+use crate::num::{Length, Product, Square, Unit, square_root, upper_product};
 
 use super::quadratic::Quadratic;
 
@@ -34,23 +34,23 @@ impl Paraboloid {
         let (squeeze, focus) = (u32::from(self.squeeze), u32::from(self.focus));
         let o = Vec3::new(offset.x >> squeeze, offset.y, offset.z >> squeeze);
         let d = Vec3::new(direction.x >> squeeze, direction.y, direction.z >> squeeze);
-        let a = (d.x.wide_mul(d.x) + d.z.wide_mul(d.z)).to_bits();
+        let a = (d.x.square() + d.z.square()).to_bits();
         let radius_squared = self.radius_squared.to_bits();
         let reach = upper_product(radius_squared as u64, a as u64, 4) as i64;
         let w = o.cross(d);
         // g d.y / 2: Q30 -> Q58, and its square: Q60 -> Q56
         let rise = (i64::from(d.y.to_bits()) << 27) >> focus;
-        let rise_squared = (d.y.wide_mul(d.y).to_bits() >> 6) >> (2 * focus).min(63);
+        let rise_squared = (d.y.square().to_bits() >> 6) >> (2 * focus).min(63);
         // Q28 * Q30 -> Q58 -> Q56. The cross product's signs: w_z is
         // o.x d.y - o.y d.x, the opposite of what the formula needs.
-        let lean = (w.x.wide_mul(d.z) - w.z.wide_mul(d.x)).to_bits() >> 2 >> focus;
+        let lean = (w.x.product(d.z) - w.z.product(d.x)).to_bits() >> 2 >> focus;
         Quadratic {
             a,
-            b: (o.x.wide_mul(d.x) + o.z.wide_mul(d.z)).to_bits() - rise,
-            c: (o.x.wide_mul(o.x) + o.z.wide_mul(o.z)).to_bits()
+            b: (o.x.product(d.x) + o.z.product(d.z)).to_bits() - rise,
+            c: (o.x.square() + o.z.square()).to_bits()
                 - ((i64::from(o.y.to_bits()) << 28) >> focus)
                 - radius_squared,
-            discriminant: reach + rise_squared + lean - w.y.wide_mul(w.y).to_bits(),
+            discriminant: reach + rise_squared + lean - w.y.square().to_bits(),
         }
     }
 

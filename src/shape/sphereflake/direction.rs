@@ -4,7 +4,7 @@
 use fixed::types::I3F29;
 
 use crate::Vec3;
-use crate::num::Unit;
+use crate::num::{Product, Unit};
 use crate::vector::round_unit;
 
 /// A child's direction a in its parent's frame (u, v, w), and what turns w to
@@ -88,7 +88,7 @@ pub(super) fn inward(v: Vec3<Unit>, child: u32) -> Vec3<Unit> {
 pub(super) fn outward(v: Vec3<Unit>, child: u32) -> Vec3<Unit> {
     let Direction { axis, turn } = direction(child);
     // Q30 * Q29 -> Q59 -> Q30
-    let sum = turn[0].wide_mul(v.x) + turn[1].wide_mul(v.y);
+    let sum = turn[0].product(v.x) + turn[1].product(v.y);
     let sum = (sum.to_bits() + (1 << 28)) >> 29;
     let along = i64::from(v.z.to_bits()) - sum;
     let part = |axis: Unit| round_unit(along * i64::from(axis.to_bits()), 30).to_bits();

@@ -1,7 +1,7 @@
 use fixed::types::{I3F29, U0F32, U4F28};
 
 use crate::Vec3;
-use crate::num::{Length, Unit, reciprocal};
+use crate::num::{Length, Product, Unit, reciprocal};
 use crate::vector::round_unit;
 
 use super::super::bound::Bound;
@@ -127,7 +127,7 @@ pub(super) struct Steps {
 impl Steps {
     fn new(ratio: U0F32) -> Self {
         let along = Unit::from_bits((1 << 30) + (ratio.to_bits() >> 2) as i32);
-        let part = |k: Unit| round_unit(along.wide_mul(k).to_bits(), 30);
+        let part = |k: Unit| round_unit(along.product(k).to_bits(), 30);
         Self {
             along,
             equator: part(EQUATOR),
@@ -140,7 +140,7 @@ impl Steps {
     /// the opposites; shifted right.
     #[inline]
     pub(super) fn dots(&self, v: Vec3<i32>, shift: u32) -> [i32; 6] {
-        let part = |c: i32, k: Unit| ((i64::from(c) * i64::from(k.to_bits())) >> shift) as i32;
+        let part = |c: i32, k: Unit| (c.product(k.to_bits()) >> shift) as i32;
         let x = part(v.x, self.along);
         let half = x >> 1;
         let equator = part(v.y, self.equator);

@@ -1,7 +1,7 @@
 use fixed::types::I1F31;
 
 use crate::Vec3;
-use crate::num::{Unit, square_root, wide};
+use crate::num::{Product, Square, Unit, square_root, wide};
 use crate::ray::Ray;
 use crate::vector::round_unit;
 
@@ -39,7 +39,7 @@ impl Chord {
         // Q29 -> Q59; Q29 * Q30 -> Q59; rounded to Q30.
         self.foot.zip(self.direction, |l, d| {
             round_unit(
-                (i64::from(l.to_bits()) << 30) + half.wide_mul(d).to_bits(),
+                (i64::from(l.to_bits()) << 30) + half.product(d).to_bits(),
                 29,
             )
         })
@@ -49,7 +49,7 @@ impl Chord {
 /// A length in radii as Q56 of the scene: `Q29 * Q31 -> Q60 -> Q56`.
 #[inline(always)]
 pub(super) fn scaled(radii: Radii, radius: I1F31) -> i64 {
-    (i64::from(radii.to_bits()) * i64::from(radius.to_bits())) >> 4
+    radii.to_bits().product(radius.to_bits()) >> 4
 }
 
 impl Node {
@@ -83,12 +83,12 @@ impl Node {
             radius,
             bound: flake.bound,
         };
-        if node.squared() > node.bound.wide_mul(node.bound).to_bits() as u64 >> 2 {
+        if node.squared() > node.bound.square().to_bits() as u64 >> 2 {
             return None;
         }
         let [u, v, w] = flake.axes();
         let turned = |axis: Vec3<Unit>| {
-            let sum = foot.x.wide_mul(axis.x) + foot.y.wide_mul(axis.y) + foot.z.wide_mul(axis.z);
+            let sum = foot.x.product(axis.x) + foot.y.product(axis.y) + foot.z.product(axis.z);
             Radii::from_bits(((sum.to_bits() + (1 << 29)) >> 30) as i32)
         };
         Some(Self {
@@ -101,7 +101,7 @@ impl Node {
     /// The square of the foot's distance, Q56 of square radii.
     #[inline(always)]
     pub(super) fn squared(&self) -> u64 {
-        let square = self.foot.map(|c| c.wide_mul(c).to_bits() as u64 >> 2);
+        let square = self.foot.map(|c| c.square().to_bits() as u64 >> 2);
         square.x + square.y + square.z
     }
 
@@ -143,7 +143,7 @@ impl Node {
     /// farther: `Q30 * Q31 -> Q61 -> Q56`.
     #[inline(always)]
     pub(super) fn foot_of(&self, farther: i32) -> i64 {
-        self.distance + ((i64::from(farther) * i64::from(self.radius.to_bits())) >> 5)
+        self.distance + (farther.product(self.radius.to_bits()) >> 5)
     }
 
     /// How far from a child's center all that follows from it reaches, in the
@@ -160,12 +160,12 @@ impl Node {
         let axis = axis(child);
         let step = flake.steps.along;
         // How much farther the child's foot is: Q30 * Q30 -> Q30
-        let farther = round_unit(step.wide_mul(self.direction.cosine(axis)).to_bits(), 30);
+        let farther = round_unit(step.product(self.direction.cosine(axis)).to_bits(), 30);
         // l - step a + farther d: Q29 -> Q60; Q30 * Q30 -> Q60; rounded to Q30.
         let foot = self.foot.map(|l| i64::from(l.to_bits()) << 31);
-        let foot = foot.zip(axis, |l, a| l - step.wide_mul(a).to_bits());
+        let foot = foot.zip(axis, |l, a| l - step.product(a).to_bits());
         let foot = foot.zip(self.direction, |l, d| {
-            round_unit(l + farther.wide_mul(d).to_bits(), 30)
+            round_unit(l + farther.product(d).to_bits(), 30)
         });
         let inverse = i64::from(flake.inverse_ratio.to_bits());
         Self {

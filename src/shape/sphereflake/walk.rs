@@ -2,7 +2,7 @@ use core::mem::swap;
 
 use heapless::Vec;
 
-use crate::num::Unit;
+use crate::num::{Square, Unit};
 
 use super::flake::{MAX_DEPTH, Path, Radii, Sphereflake};
 use super::node::{Node, scaled};
@@ -90,8 +90,8 @@ impl<'w> Walk<'w> {
         let step = flake.steps.along;
         let child_bound = node.child_bound(flake);
         // Q56 -> Q27; a margin of what all roundings can do.
-        let squares = (node.squared() as i64) + (step.wide_mul(step).to_bits() >> 4)
-            - (child_bound.wide_mul(child_bound).to_bits() >> 2);
+        let squares = (node.squared() as i64) + (step.square().to_bits() >> 4)
+            - (child_bound.square().to_bits() >> 2);
         let threshold = (squares >> 29) as i32 - 16;
         let farther = flake.steps.dots(node.direction.map(Unit::to_bits), 30);
         // Q29 -> Q28, and so twice of it in Q27.
@@ -99,7 +99,7 @@ impl<'w> Walk<'w> {
         let bound = scaled(child_bound, node.radius);
         for (pair, (farther, nearer)) in (1..).zip(farther.into_iter().zip(nearer)) {
             // Q60 -> Q27
-            let square = ((i64::from(farther) * i64::from(farther)) >> 33) as i32;
+            let square = (farther.square() >> 33) as i32;
             if square + nearer.abs() < threshold {
                 continue;
             }

@@ -1,0 +1,68 @@
+//! Compares the products of `long-multiply` with the plain ones, over all pairs
+//! of edges and two million others.
+
+#![no_std]
+#![no_main]
+
+use core::hint::black_box;
+use core::panic::PanicInfo;
+
+use cortex_m_rt::entry;
+
+/// Pairs beside those of edges.
+const RANDOM: u32 = 2_000_000;
+
+#[entry]
+fn main() -> ! {
+    match compare() {
+        Ok(pairs) => mps2::print(format_args!("pairs: {pairs}\n")),
+        Err((a, b)) => mps2::print(format_args!("error: wrong product of {a:#x} and {b:#x}\n")),
+    }
+    mps2::exit();
+}
+
+/// How many pairs were compared, or the first with a wrong product.
+fn compare() -> Result<u32, (u32, u32)> {
+    let mut pairs = 0;
+    for a in edges() {
+        for b in edges() {
+            pairs += 1;
+            holds(a, b)?;
+        }
+    }
+    // xorshift (Marsaglia, 2003)
+    let mut state = 1_u64;
+    for _ in 0..RANDOM {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        pairs += 1;
+        holds((state >> 32) as u32, state as u32)?;
+    }
+    Ok(pairs)
+}
+
+/// Every power of two, what is beside it, and the negatives and complements.
+fn edges() -> impl Iterator<Item = u32> {
+    (0..32).flat_map(|bit| {
+        let x = 1_u32 << bit;
+        [x, x - 1, x + 1, !x, x.wrapping_neg()]
+    })
+}
+
+fn holds(a: u32, b: u32) -> Result<(), (u32, u32)> {
+    let (i, j) = (a as i32, b as i32);
+    // Plain products, which the compiler must not see through.
+    let (p, q) = (black_box(i64::from(i)), black_box(u64::from(a)));
+    let right = long_multiply::signed(i, j) == p * i64::from(j)
+        && long_multiply::unsigned(a, b) == q * u64::from(b)
+        && long_multiply::mixed(i, b) == p * i64::from(b)
+        && long_multiply::square(i) == p * i64::from(i);
+    right.then_some(()).ok_or((a, b))
+}
+
+#[panic_handler]
+fn panic(info: &PanicInfo<'_>) -> ! {
+    mps2::print(format_args!("error: {info}\n"));
+    mps2::exit();
+}

@@ -1,0 +1,19 @@
+#[inline(always)]
+pub(crate) fn signed(a: i32, b: i32) -> i64 {
+    i64::from(a) * i64::from(b)
+}
+
+#[inline(always)]
+pub(crate) fn unsigned(a: u32, b: u32) -> u64 {
+    u64::from(a) * u64::from(b)
+}
+
+#[inline(always)]
+pub(crate) fn mixed(a: i32, b: u32) -> i64 {
+    i64::from(a) * i64::from(b)
+}
+
+#[inline(always)]
+pub(crate) fn square(a: i32) -> i64 {
+    i64::from(a) * i64::from(a)
+}
