@@ -1,7 +1,9 @@
 //! Where rays come from: a pinhole camera in front of a raster of pixels.
 
 use crate::Vec3;
-use crate::num::{Length, Scaled, Square, Unit, inverse_length, quotient, reciprocal, wide};
+use crate::num::{
+    Length, Product, Scaled, Square, Unit, inverse_length, quotient, reciprocal, square_root, wide,
+};
 use crate::prepared::Camera;
 use crate::ray::{Point, Ray, Start};
 use crate::shape::Plane;
@@ -91,7 +93,7 @@ impl View {
             eye: self.eye,
             ends: [end(0), end(last)],
             height,
-            stretch: (1 << 24) + (height.square() >> 28),
+            stretch: square_root((1 << 48) + (height.square() >> 4) as u64) as i32,
             half_pixel: self.half_pixel,
             width: self.width as u16,
         }
@@ -105,8 +107,8 @@ pub(crate) struct Row {
     ends: [Vec3<Unit>; 2],
     /// Y, Q26.
     pub(crate) height: i32,
-    /// `1 + Y²`, Q24.
-    pub(crate) stretch: i64,
+    /// `sqrt(1 + Y²)`, Q24.
+    pub(crate) stretch: i32,
     half_pixel: u64,
     pub(crate) width: u16,
 }
@@ -128,7 +130,9 @@ impl Row {
             return self.width / 2;
         }
         let ratio = quotient(n.unsigned_abs(), d);
-        let stretched = u64::from(ratio.mantissa) * self.stretch as u64;
+        // Q48 -> Q24
+        let stretch = (self.stretch.square() >> 24) as u32;
+        let stretched = ratio.mantissa.product(stretch);
         let pixels = quotient(stretched, self.half_pixel);
         // 2^30 n / d, then Q24 / Q58 and 2^30 once more: in half pixels.
         let pixels = Scaled {

@@ -98,7 +98,7 @@ impl Coverage {
 /// Let the line be Y up the picture, at the distance of 1, and the center
 /// (u, v, w). The line's plane passes the center by `a / s` with `a = v - Y w`
 /// and `s² = 1 + Y²`, and `e / s` with `e = w + Y v` is how far ahead it is in
-/// that plane. With `P² = s² r² - a²` and `L² = u² + v² + w² - r²` the tangents
+/// that plane. With `P² = (s r - a) (s r + a)` and `L² = u² + v² + w² - r²` the tangents
 /// are at `X = s² (u e ± P L) / (e² - P²)`: no difference but that of e and P
 /// can cancel.
 fn columns(bound: &Bound, row: &Row) -> Option<[u16; 2]> {
@@ -111,8 +111,9 @@ fn columns(bound: &Bound, row: &Row) -> Option<[u16; 2]> {
     };
     let aside = across(center.y, -center.z);
     let ahead = across(center.z, center.y);
-    // Q24 * Q24 -> Q48
-    let square = (radius_squared.to_bits() >> 32) * row.stretch - aside * aside;
+    // Q24 * Q28 -> Q24; the square Q48.
+    let radius = row.stretch.product(radius.to_bits()) >> 28;
+    let square = (radius - aside) * (radius + aside);
     if square < 0 {
         return None;
     }

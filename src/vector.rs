@@ -117,14 +117,19 @@ impl Vec3<Length> {
 /// [`inverse_length`] says of its square. Its length is below 2^31 steps.
 #[inline(always)]
 pub(crate) fn normalize(v: Vec3<i32>, inverse: InverseLength) -> Vec3<Unit> {
-    let shift = inverse.half_shift.wrapping_sub(1) & 31;
     // The vector is shifted to a length of 2^30 to 2^31, so that the product
-    // with the reciprocal, U1F31, has the result in its upper half. The
-    // reciprocal less 2 fits a signed word, for which chips have a multiply.
-    let less_two = i64::from(inverse.inverse as i32);
+    // with the reciprocal has the result in its upper half.
+    scaled(v, inverse.inverse, inverse.half_shift.wrapping_sub(1))
+}
+
+/// `v 2^shift` by a reciprocal of 1 to 2, `U1F31`, as Q30 if v is Q31.
+#[inline(always)]
+pub(crate) fn scaled(v: Vec3<i32>, reciprocal: u32, shift: u32) -> Vec3<Unit> {
+    // The reciprocal less 2 fits a signed word, for which chips have a multiply.
+    let less_two = reciprocal as i32;
     v.map(|c| {
-        let c = c << shift;
-        let product = (i64::from(c) * less_two + (1 << 31)) >> 32;
+        let c = c << (shift & 31);
+        let product = (c.product(less_two) + (1 << 31)) >> 32;
         Unit::from_bits(c + product as i32)
     })
 }

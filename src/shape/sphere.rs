@@ -1,8 +1,8 @@
 use fixed::types::I8F56;
 
 use crate::Vec3;
-use crate::num::{Length, Square, Unit, square_root};
-use crate::vector::round_length;
+use crate::num::{Length, Square, Unit, reciprocal, square_root};
+use crate::vector::{round_length, scaled};
 
 use super::bound::Bound;
 
@@ -12,6 +12,35 @@ pub(crate) struct Sphere {
     pub(crate) center: Vec3<Length>,
     pub(crate) radius: Length,
     radius_squared: I8F56,
+    inverse: Inverse,
+}
+
+/// The reciprocal of a radius: `mantissa * 2^(shift - 34)` with a radius in
+/// steps of a [`Length`].
+#[derive(Clone, Copy, Debug, Default)]
+struct Inverse {
+    /// `U1F31`, 1 to 2.
+    mantissa: u32,
+    shift: u8,
+}
+
+impl Inverse {
+    fn new(radius: Length) -> Self {
+        let bits = radius.to_bits().max(1) as u32;
+        let shift = bits.leading_zeros();
+        let normalized = bits << shift;
+        // A point may lie farther out by some steps and must not be shifted out.
+        if normalized > u32::MAX - 255 {
+            return Self {
+                mantissa: u32::MAX,
+                shift: shift as u8 - 2,
+            };
+        }
+        Self {
+            mantissa: reciprocal(normalized),
+            shift: shift as u8 - 1,
+        }
+    }
 }
 
 /// How a line passes through a sphere.
@@ -38,6 +67,7 @@ impl Sphere {
             center,
             radius,
             radius_squared: radius.square(),
+            inverse: Inverse::new(radius),
         }
     }
 
@@ -131,9 +161,15 @@ impl Sphere {
         [entry, Some(approach.middle + half)]
     }
 
-    /// The outward unit normal at a point of the sphere.
+    /// The outward unit normal at a point of the sphere. Its length is off by as
+    /// much as the point is, in radii.
     #[inline]
     pub(crate) fn normal(&self, point: Vec3<Length>) -> Vec3<Unit> {
-        (point - self.center).normalized().0
+        let Inverse { mantissa, shift } = self.inverse;
+        scaled(
+            (point - self.center).map(Length::to_bits),
+            mantissa,
+            shift.into(),
+        )
     }
 }
