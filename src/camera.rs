@@ -75,9 +75,10 @@ impl View {
         }
     }
 
-    /// How the plane of the rays of line `y` lies.
+    /// How the plane of the rays of line `y` lies; of the last, beyond it.
     pub(crate) fn row(&self, y: u32) -> Row {
-        let up = i64::from(self.height) - 2 * i64::from(y.min(MAX_SIDE)) - 1;
+        let y = y.min(self.height.saturating_sub(1));
+        let up = i64::from(self.height) - 2 * i64::from(y) - 1;
         // Q58 -> Q26
         let height = ((up * self.half_pixel as i64) >> 32) as i32;
         let Line {

@@ -27,7 +27,7 @@ pub trait Observer {
         let _ = kind;
     }
 
-    /// A ray was tested against so many objects.
+    /// A ray was tested against so many objects, those whose bounds it meets.
     #[inline(always)]
     fn intersections(&mut self, count: u32) {
         let _ = count;
@@ -85,7 +85,7 @@ pub struct Stats {
     pub transmitted: u32,
     /// Shadow rays.
     pub shadow: u32,
-    /// Tests of a ray against an object.
+    /// Tests of a ray against an object whose bounds it meets.
     pub intersections: u64,
 }
 

@@ -62,6 +62,13 @@ impl<'s> Surface<'s> {
                 part.normal
             }
         };
+        let material = scene.material(object.texture.material(point));
+        // Refraction magnifies what the length of a normal is off.
+        let normal = if material.kt.is_black() {
+            normal
+        } else {
+            normal.renormalized()
+        };
         let cosine = ray.direction.cosine(normal);
         start.inward = cosine > Unit::ZERO;
         Self {
@@ -69,7 +76,7 @@ impl<'s> Surface<'s> {
             view: ray.direction,
             normal: if start.inward { -normal } else { normal },
             cosine: cosine.abs(),
-            material: scene.material(object.texture.material(point)),
+            material,
             start,
             open,
         }

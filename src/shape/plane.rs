@@ -20,6 +20,10 @@ pub(crate) struct Bounds {
     pub(crate) high: Vec3<Length>,
 }
 
+/// A point of the plane may be rounded away from where it is; so that no ray
+/// passes where the edges of two planes meet, each reaches so much farther.
+const EDGE: i64 = 1;
+
 impl Bounds {
     pub(crate) const ENDLESS: Self = Self {
         low: Vec3::new(Length::MIN, Length::MIN, Length::MIN),
@@ -30,8 +34,8 @@ impl Bounds {
     pub(crate) fn contain(&self, point: Point) -> bool {
         let within = |c: Length, low: Length, high: Length| {
             let c = i64::from(c.to_bits()) << point.shift;
-            (low == Length::MIN || c >= i64::from(low.to_bits()))
-                && (high == Length::MAX || c <= i64::from(high.to_bits()))
+            (low == Length::MIN || c >= i64::from(low.to_bits()) - EDGE)
+                && (high == Length::MAX || c <= i64::from(high.to_bits()) + EDGE)
         };
         let p = point.coordinates;
         within(p.x, self.low.x, self.high.x)
