@@ -162,14 +162,18 @@ impl Sphere {
     }
 
     /// The outward unit normal at a point of the sphere. Its length is off by as
-    /// much as the point is, in radii.
+    /// much as the point is, in radii: up to 2^-21.
     #[inline]
     pub(crate) fn normal(&self, point: Vec3<Length>) -> Vec3<Unit> {
+        /// Of a radius below 1/64.
+        const SMALL: u8 = 8;
         let Inverse { mantissa, shift } = self.inverse;
-        scaled(
-            (point - self.center).map(Length::to_bits),
-            mantissa,
-            shift.into(),
-        )
+        let from_center = (point - self.center).map(Length::to_bits);
+        let normal = scaled(from_center, mantissa, shift.into());
+        if shift > SMALL {
+            normal.renormalized()
+        } else {
+            normal
+        }
     }
 }
