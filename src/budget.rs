@@ -443,7 +443,7 @@ fn sphereflakes() {
     let flake = Sphereflake::new(parts);
     for _ in 0..CASES {
         let ray = random.ray();
-        let Some(meeting) = flake.nearest(&ray, None, Length::MAX) else {
+        let Some(meeting) = flake.nearest(&ray, None, Length::MAX, &mut ()) else {
             continue;
         };
         let point = ray.at(meeting.distance());

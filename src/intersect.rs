@@ -61,19 +61,17 @@ pub(crate) fn nearest(
     observer: &mut impl Observer,
 ) -> Option<Hit> {
     if !ray.origin.is_near() {
-        observer.intersections(scene.objects.len() as u32);
-        return nearest_from_far(scene, ray, part);
+        return nearest_from_far(scene, ray, part, observer);
     }
     let mut nearest = Nearest::new(scene, ray, part);
     nearest.meet_finite(observer);
     let left = ray.start.left();
     for &object in scene.endless {
         if object != left {
-            observer.intersections(1);
-            nearest.meet(object);
+            nearest.meet(object, observer);
         }
     }
-    nearest.hit()
+    nearest.hit(observer)
 }
 
 /// The same for an eye ray, which may meet some objects only.
@@ -86,11 +84,10 @@ pub(crate) fn nearest_of(
     observer: &mut impl Observer,
 ) -> Option<Hit> {
     let mut nearest = Nearest::new(scene, ray, part);
-    observer.intersections(objects.len() as u32);
     for &object in objects {
-        nearest.meet(object);
+        nearest.meet(object, observer);
     }
-    nearest.hit()
+    nearest.hit(observer)
 }
 
 /// The nearest of the near hits.
@@ -122,10 +119,10 @@ impl<'r> Nearest<'r> {
     fn meet_finite(&mut self, observer: &mut impl Observer) {
         let (origin, direction) = (self.ray.origin.coordinates, self.ray.direction);
         let left = self.ray.start.left();
+        observer.bounds(self.scene.finite.len() as u32);
         for around in self.scene.finite {
             if around.may_meet(origin, direction) && around.object != left {
-                observer.intersections(1);
-                self.meet(around.object);
+                self.meet(around.object, observer);
             }
         }
     }
@@ -135,7 +132,7 @@ impl<'r> Nearest<'r> {
     /// Not inlined: in a loop of few turns, what would be prepared before it
     /// costs more than it saves.
     #[inline(never)]
-    fn meet(&mut self, number: u16) {
+    fn meet(&mut self, number: u16, observer: &mut impl Observer) {
         let Some(object) = self.scene.objects.get(usize::from(number)) else {
             return;
         };
@@ -148,9 +145,10 @@ impl<'r> Nearest<'r> {
             Shape::Plane(plane) => plane.distance(ray, self.limit),
             Shape::Quadric(quadric) => quadric_distance(quadric, ray, is_start),
             Shape::Sphereflake(flake) => {
-                flake_distance(flake, ray, is_start, self.limit, self.part)
+                flake_distance(flake, ray, is_start, self.limit, self.part, observer)
             }
         };
+        observer.test(object.shape.kind(), distance.is_some());
         let Some(distance) = distance else {
             return;
         };
@@ -163,7 +161,7 @@ impl<'r> Nearest<'r> {
     }
 
     #[inline(always)]
-    fn hit(&self) -> Option<Hit> {
+    fn hit(&self, observer: &mut impl Observer) -> Option<Hit> {
         if self.limit < NEAR_LIMIT {
             return Some(Hit {
                 object: self.object,
@@ -171,7 +169,7 @@ impl<'r> Nearest<'r> {
             });
         }
         if self.is_far {
-            return nearest_endless(self.scene, self.ray).map(|(hit, _)| hit);
+            return nearest_endless(self.scene, self.ray, observer).map(|(hit, _)| hit);
         }
         None
     }
@@ -193,8 +191,9 @@ fn flake_distance(
     is_start: bool,
     limit: Length,
     part: &mut Part,
+    observer: &mut impl Observer,
 ) -> Option<Length> {
-    let meeting = flake.nearest(ray, is_start.then_some(ray.start), limit)?;
+    let meeting = flake.nearest(ray, is_start.then_some(ray.start), limit, observer)?;
     let distance = meeting.distance();
     if distance < limit {
         *part = Part {
@@ -208,11 +207,17 @@ fn flake_distance(
 /// Among endless surfaces, at any distance, from any origin.
 #[cold]
 #[inline(never)]
-fn nearest_endless(scene: &PreparedScene<'_>, ray: &Ray) -> Option<(Hit, Scaled)> {
+fn nearest_endless(
+    scene: &PreparedScene<'_>,
+    ray: &Ray,
+    observer: &mut impl Observer,
+) -> Option<(Hit, Scaled)> {
     let met = scene.endless.iter().filter_map(|&number| {
         let object = scene.objects.get(usize::from(number))?;
         let is_start = number == ray.start.object;
-        Some((number, endless_distance(object, ray, is_start)?))
+        let distance = endless_distance(object, ray, is_start);
+        observer.test(object.shape.kind(), distance.is_some());
+        Some((number, distance?))
     });
     let (object, distance) = met.min_by_key(|(_, distance)| *distance)?;
     let hit = Hit {
@@ -238,13 +243,18 @@ fn endless_distance(object: &Object, ray: &Ray, is_start: bool) -> Option<Scaled
 /// The ray goes on as a near one from shortly before it may meet finite
 /// geometry; endless surfaces are looked for from its true origin.
 #[cold]
-fn nearest_from_far(scene: &PreparedScene<'_>, ray: &Ray, part: &mut Part) -> Option<Hit> {
-    let endless = nearest_endless(scene, ray);
+fn nearest_from_far(
+    scene: &PreparedScene<'_>,
+    ray: &Ray,
+    part: &mut Part,
+    observer: &mut impl Observer,
+) -> Option<Hit> {
+    let endless = nearest_endless(scene, ray, observer);
     let finite = ray.approaching().and_then(|(ray, skipped)| {
         let mut nearest = Nearest::new(scene, &ray, part);
-        nearest.meet_finite(&mut ());
+        nearest.meet_finite(observer);
         let distance = i64::from(nearest.limit.to_bits()) + skipped;
-        Some((nearest.hit()?, distance))
+        Some((nearest.hit(observer)?, distance))
     });
     match (finite, endless) {
         (Some((hit, distance)), Some((_, endless))) if distance <= endless.to_bits() => Some(hit),

@@ -67,7 +67,7 @@ pub use color::Color;
 pub use compiled::counts;
 pub use error::{DecodeError, Item, Problem, SceneError};
 pub use num::{Radiance, Real};
-pub use observer::{Node, Observer, RayKind, Stats};
+pub use observer::{Node, Observer, RayKind, ShapeKind, Stats};
 pub use pixel::Pixel;
 pub use prepared::PreparedScene;
 pub use renderer::Renderer;

@@ -16,6 +16,25 @@ pub enum RayKind {
     Shadow,
 }
 
+/// What kind of surface a ray is tested against.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ShapeKind {
+    /// A sphere.
+    Sphere,
+    /// A plane, endless or bounded.
+    Plane,
+    /// An ellipsoid.
+    Ellipsoid,
+    /// A cylinder.
+    Cylinder,
+    /// A cone.
+    Cone,
+    /// A paraboloid.
+    Paraboloid,
+    /// A sphereflake.
+    Sphereflake,
+}
+
 /// Is told of every ray and every intersection test.
 ///
 /// The methods do nothing unless overridden, and `()` overrides none, so a
@@ -29,9 +48,25 @@ pub trait Observer {
 
     /// A ray was tested against so many objects, those whose bounds it meets.
     #[inline(always)]
-    fn intersections(&mut self, count: u32) {
+    fn test(&mut self, shape: ShapeKind, met: bool) {
+        let _ = (shape, met);
+    }
+
+    /// The ray that was told of last was tested against the bounds of so many
+    /// objects. One that passes an object's bound by is not tested against it.
+    #[inline(always)]
+    fn bounds(&mut self, count: u32) {
         let _ = count;
     }
+
+    /// A sphere of a sphereflake was visited; the test that it belongs to is
+    /// told of after all its spheres.
+    #[inline(always)]
+    fn sphere(&mut self) {}
+
+    /// A highlight of a light was computed: a cosine raised to the shininess.
+    #[inline(always)]
+    fn highlight(&mut self) {}
 
     /// A shadow ray from a light, by its number, reached the surface: what the
     /// surfaces on its way left of the light, or `None` if one is opaque. The
@@ -102,7 +137,7 @@ impl Observer for Stats {
     }
 
     #[inline]
-    fn intersections(&mut self, count: u32) {
-        self.intersections = self.intersections.wrapping_add(count.into());
+    fn test(&mut self, _: ShapeKind, _: bool) {
+        self.intersections = self.intersections.wrapping_add(1);
     }
 }

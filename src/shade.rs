@@ -147,7 +147,7 @@ impl<'s> Surface<'s> {
         let cosine = to_light.cosine(self.normal);
         *sum = sum.plus(material.kd.reflect(factor(cosine), diffuse));
         if !material.ks.is_black() {
-            let highlight = self.highlight(to_light, cosine);
+            let highlight = self.highlight(to_light, cosine, observer);
             if highlight != Factor::ZERO {
                 *sum = sum.plus(material.ks.reflect(highlight, specular));
             }
@@ -166,12 +166,12 @@ impl<'s> Surface<'s> {
         observer: &mut impl Observer,
     ) -> bool {
         observer.ray(RayKind::Shadow);
+        observer.bounds(scene.finite.len() as u32);
         let left_behind = self.start.left();
         let mut passes = |number| {
             if number == left_behind {
                 return true;
             }
-            observer.intersections(1);
             let shadow = ShadowRay {
                 light,
                 to_light,
@@ -179,7 +179,7 @@ impl<'s> Surface<'s> {
                 view: &self.view,
                 start: &self.start,
             };
-            shadow.passes(scene, number, left)
+            shadow.passes(scene, number, left, observer)
         };
         for (sight, around) in scene.sights.by_light(index).iter().zip(scene.finite) {
             // The opposite direction has the same line.
@@ -199,7 +199,12 @@ impl<'s> Surface<'s> {
     /// `R_L · -V = 2 (L·n)(-V·n) + L·V`, and `H · n = (L·n - V·n) / |L - V|`
     /// with `|L - V|² = 2 - 2 L·V`.
     #[inline]
-    fn highlight(&self, to_light: Vec3<Unit>, cosine: Unit) -> Factor {
+    fn highlight(
+        &self,
+        to_light: Vec3<Unit>,
+        cosine: Unit,
+        observer: &mut impl Observer,
+    ) -> Factor {
         let across = to_light.dot(self.view);
         let base = if self.material.blinn {
             let sum = (cosine.to_bits() as u32).wrapping_add(self.cosine.to_bits() as u32);
@@ -217,6 +222,7 @@ impl<'s> Surface<'s> {
         if base < i64::from(self.material.dimmest) {
             return Factor::ZERO;
         }
+        observer.highlight();
         let highlight = power(base.min(1 << 31) as u32, self.material.shininess);
         Factor::from_bits(((highlight + (1 << 15)) >> 16) as u16)
     }

@@ -5,6 +5,7 @@
 //! what lets light through, or is of a rarer shape, is looked at more closely.
 
 use crate::num::{Factor, Length, Unit};
+use crate::observer::Observer;
 use crate::prepared::{Light, Object, PreparedScene};
 use crate::ray::{Point, Ray, Start};
 use crate::shape::{Plane, Quadric, Shape, Sphere};
@@ -67,6 +68,7 @@ impl ShadowRay<'_> {
         scene: &PreparedScene<'_>,
         number: u16,
         left: &mut Color<Factor>,
+        observer: &mut impl Observer,
     ) -> bool {
         let object = scene.object(number);
         let is_start = number == self.start.object;
@@ -78,12 +80,16 @@ impl ShadowRay<'_> {
             Shape::Quadric(_) | Shape::Sphereflake(_) => true,
         };
         if !in_the_way {
+            observer.test(object.shape.kind(), false);
             return true;
         }
         if !is_start && blocks(scene, object) {
+            observer.test(object.shape.kind(), true);
             return false;
         }
-        *left = filtered(scene, self, object, is_start, *left);
+        let before = *left;
+        *left = filtered(scene, self, object, is_start, before, observer);
+        observer.test(object.shape.kind(), *left != before);
         !left.is_black()
     }
 }
@@ -109,6 +115,7 @@ fn filtered(
     object: &Object,
     is_start: bool,
     mut left: Color<Factor>,
+    observer: &mut impl Observer,
 ) -> Color<Factor> {
     let crossings = match &object.shape {
         Shape::Sphere(sphere) => sphere_crossings(sphere, shadow, is_start),
@@ -117,7 +124,7 @@ fn filtered(
         Shape::Sphereflake(flake) => {
             let ray = shadow.ray();
             let from = is_start.then_some(*shadow.start);
-            flake.crossings(&ray, from, shadow.distance(), &mut |distance| {
+            flake.crossings(&ray, from, shadow.distance(), observer, &mut |distance| {
                 left = left.filtered(scene.transmitted(object, ray.at(distance)));
                 !left.is_black()
             });

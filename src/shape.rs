@@ -10,6 +10,8 @@ mod quadric;
 mod sphere;
 mod sphereflake;
 
+use crate::observer::ShapeKind;
+
 pub(crate) use bound::{Around, Bound, Sight};
 pub(crate) use plane::{Bounds, Plane};
 pub(crate) use quadric::{Cone, Cylinder, Ellipsoid, Form, Paraboloid, Quadric};
@@ -39,6 +41,22 @@ impl Shape {
             Self::Plane(_) => None,
             Self::Quadric(quadric) => quadric.bounding_sphere(),
             Self::Sphereflake(flake) => Some(flake.bounding_sphere()),
+        }
+    }
+
+    /// What an observer is told that it is.
+    #[inline(always)]
+    pub(crate) fn kind(&self) -> ShapeKind {
+        match self {
+            Self::Sphere(_) => ShapeKind::Sphere,
+            Self::Plane(_) => ShapeKind::Plane,
+            Self::Quadric(quadric) => match quadric.form {
+                Form::Ellipsoid(_) => ShapeKind::Ellipsoid,
+                Form::Cylinder(_) => ShapeKind::Cylinder,
+                Form::Cone(_) => ShapeKind::Cone,
+                Form::Paraboloid(_) => ShapeKind::Paraboloid,
+            },
+            Self::Sphereflake(_) => ShapeKind::Sphereflake,
         }
     }
 

@@ -14,6 +14,7 @@ pub(crate) use flake::{MAX_DEPTH, Parts, Path, Sphereflake};
 
 use crate::Vec3;
 use crate::num::{Length, Product, Unit};
+use crate::observer::Observer;
 use crate::ray::{Ray, Start};
 use crate::vector::round_unit;
 use node::{Chord, Node};
@@ -39,7 +40,13 @@ impl Meeting {
 impl Sphereflake {
     /// The nearest hit ahead, if it is below `limit`, of a ray that starts
     /// `from` one of the spheres or elsewhere.
-    pub(crate) fn nearest(&self, ray: &Ray, from: Option<Start>, limit: Length) -> Option<Meeting> {
+    pub(crate) fn nearest(
+        &self,
+        ray: &Ray,
+        from: Option<Start>,
+        limit: Length,
+        observer: &mut impl Observer,
+    ) -> Option<Meeting> {
         let mut reach = i64::from(limit.to_bits()) << 28;
         let mut nearest = None;
         if let Some(from) = from.filter(|from| from.inward) {
@@ -47,7 +54,7 @@ impl Sphereflake {
             reach = across.map_or(reach, |it| it.distance);
             nearest = across;
         }
-        self.walk(ray, reach, &mut |chord| {
+        self.walk(ray, reach, observer, &mut |chord| {
             let ends = [chord.entry, chord.exit];
             let distance = ends.into_iter().find(|distance| *distance > 0);
             if let Some(distance) = distance
@@ -90,10 +97,11 @@ impl Sphereflake {
         ray: &Ray,
         from: Option<Start>,
         reach: Length,
+        observer: &mut impl Observer,
         visit: &mut dyn FnMut(Length) -> bool,
     ) {
         let reach = i64::from(reach.to_bits()) << 28;
-        self.walk(ray, reach, &mut |chord| {
+        self.walk(ray, reach, observer, &mut |chord| {
             let ends = match from.filter(|from| from.part == chord.path) {
                 None => [chord.entry, chord.exit],
                 // The light is on the inside, too, or comes in at the entry.
@@ -135,11 +143,18 @@ impl Sphereflake {
     /// up to `reach`, roughly in order. `visit` says how far it reaches still:
     /// 0 to stop.
     #[inline(never)]
-    fn walk(&self, ray: &Ray, mut reach: i64, visit: &mut dyn FnMut(&Chord) -> i64) {
+    fn walk(
+        &self,
+        ray: &Ray,
+        mut reach: i64,
+        observer: &mut impl Observer,
+        visit: &mut dyn FnMut(&Chord) -> i64,
+    ) {
         let (mut levels, mut children) = (Levels::new(), Children::new());
         let mut walk = Walk::new(self, &mut levels, &mut children);
         let mut next = Node::largest(self, ray).filter(|node| node.is_within(reach));
         while let Some(node) = next {
+            observer.sphere();
             if let Some(chord) = node.chord(walk.path()) {
                 reach = visit(&chord);
                 if reach <= 0 {

@@ -17,11 +17,11 @@ const LAYERS: &[&str] = &[
     // What a person writes down.
     "error", "scene",
     // What is traced, scaled.
-    "ray", "texture", "shape", "prepared", "camera",
+    "observer", "ray", "texture", "shape", "prepared", "camera",
     // From the one to the other.
     "prepare", "compiled", "buffer",
     // Nearest hit, local light, the tree of rays.
-    "observer", "intersect", "shadow", "shade", "tracer",
+    "intersect", "shadow", "shade", "tracer",
     // Colors to pixels, lines to displays.
     "pixel", "renderer",
 ];
