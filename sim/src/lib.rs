@@ -13,6 +13,7 @@
 //! decimals straight to fixed point, and pictures are integers.
 
 pub mod compare;
+pub mod cost;
 pub mod picture;
 pub mod png16;
 pub mod ray_tree;

@@ -57,7 +57,7 @@ pub fn run(scene: Option<&str>, core: Option<Core>, json: Option<&Path>) -> Resu
 }
 
 /// The compiler, on which counts depend.
-fn toolchain() -> Result<String> {
+pub(crate) fn toolchain() -> Result<String> {
     let output = command("rustc").arg("--version").output()?;
     Ok(String::from_utf8(output.stdout)?.trim().to_owned())
 }

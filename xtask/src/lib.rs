@@ -4,6 +4,7 @@
 
 pub mod bench;
 pub mod firmware;
+pub mod model;
 pub mod povray;
 pub mod profile;
 pub mod qemu;

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use anyhow::{Result, bail};
 use lexopt::prelude::*;
 use xtask::qemu::{Arithmetic, Core, Machine};
-use xtask::{bench, firmware, povray, profile, qemu, size, test, tidy};
+use xtask::{bench, firmware, model, povray, profile, qemu, size, test, tidy};
 
 const HELP: &str = "\
 cargo xtask TASK
@@ -25,6 +25,8 @@ cargo xtask TASK
   bench --growth        Only how they grow with the spheres in view.
   bench --check         Fails where a picture takes more than its budget.
   bench --bless         Makes what pictures take now the budget.
+  fit                   Fits the cost model of `cargo sim render --stats` to what
+                        pictures take; writes sim/cost.toml and docs/cost-model.md.
   profile SCENE [--core CORE] [--size WxH]
                         Where the instructions of a frame go, by function and line.
   povray [--depth N]    Times POV-Ray, where it is installed, and `cargo sim render` on
@@ -55,6 +57,7 @@ fn task() -> Result<()> {
         "qemu" => on_the_oled(&options),
         "headless" => headless(&options),
         "bench" => bench(&options),
+        "fit" => model::run(),
         "profile" => profile(&options),
         "povray" => povray::run(options.depth),
         "size" => size::print(),

@@ -11,11 +11,13 @@ use anyhow::{Result, bail};
 
 use crate::qemu::{Arithmetic, Core, Machine};
 use crate::symbols::Symbols;
-use executed::executed;
+use executed::Step;
 use tally::Tally;
 
+pub(crate) use executed::executed;
+
 /// The function that is called when the frame is drawn.
-const AFTER_THE_FRAME: &str = "measure::frame::checksum";
+pub(crate) const AFTER_THE_FRAME: &str = "measure::frame::checksum";
 
 /// How many functions and lines are worth a look.
 const TOP: usize = 30;
@@ -34,9 +36,9 @@ pub fn run(scene: &Path, core: Core, size: &str) -> Result<()> {
     Ok(())
 }
 
-fn report(counts: &HashMap<u64, u64>, symbols: &Symbols) -> Result<String> {
+fn report(counts: &HashMap<Step, u64>, symbols: &Symbols) -> Result<String> {
     let (mut functions, mut lines) = (Tally::default(), Tally::default());
-    for (address, count) in counts {
+    for ((address, _), count) in counts {
         let frames = symbols.frames(*address)?;
         // Number formats and `core` say little: what of the library asked for
         // them says more. Routines of the compiler are nobody's but their own.

@@ -4,9 +4,12 @@ use std::process::{Child, Command, Stdio};
 
 use anyhow::{Context, Result, bail};
 
-/// How often each address was executed before `end` was, by a QEMU that runs
+/// From the address of an instruction to that of the next one.
+pub(crate) type Step = (u64, u64);
+
+/// How often each step was taken before `end` was reached, by a QEMU that runs
 /// this.
-pub(crate) fn executed(mut qemu: Command, end: u64) -> Result<HashMap<u64, u64>> {
+pub(crate) fn executed(mut qemu: Command, end: u64) -> Result<HashMap<Step, u64>> {
     // Blocks of one instruction, each logged each time. QEMU since 9.0 calls the
     // first `-accel tcg,one-insn-per-tb=on`. Its own log goes to stderr, too,
     // but a character at a time.
@@ -16,16 +19,21 @@ pub(crate) fn executed(mut qemu: Command, end: u64) -> Result<HashMap<u64, u64>>
     let mut log = BufReader::new(running.0.stderr.take().context("stderr is a pipe")?);
 
     let mut counts = HashMap::new();
+    let mut last = None;
     let mut line = Vec::new();
     loop {
         line.clear();
         if log.read_until(b'\n', &mut line)? == 0 {
             bail!("the firmware does not draw: {}", running.0.wait()?);
         }
-        match address(&line) {
-            Some(address) if address == end => return Ok(counts),
-            Some(address) => *counts.entry(address).or_default() += 1,
-            None => {}
+        let Some(address) = address(&line) else {
+            continue;
+        };
+        if let Some(last) = last.replace(address) {
+            *counts.entry((last, address)).or_default() += 1;
+        }
+        if address == end {
+            return Ok(counts);
         }
     }
 }

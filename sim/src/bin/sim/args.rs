@@ -65,7 +65,7 @@ pub(crate) struct Render {
     /// Write linear colors, 16 bits a channel, in place of a display's.
     #[arg(long, conflicts_with = "format")]
     pub(crate) linear16: bool,
-    /// Print rays, intersection tests, time and checksum.
+    /// Print rays, intersection tests, time, what microcontrollers would take, and checksum.
     #[arg(long)]
     pub(crate) stats: bool,
 }

@@ -5,7 +5,9 @@ use std::time::Duration;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray4, Gray8, Rgb565, Rgb888};
 use embedded_graphics::prelude::*;
 use embedded_graphics_simulator::{OutputImage, OutputSettings, SimulatorDisplay};
-use whitted::{PreparedScene, Renderer, Stats};
+use whitted::{PreparedScene, Renderer};
+
+use whitted_sim::cost::Work;
 
 use crate::args::Format;
 use crate::outcome::Outcome;
@@ -14,7 +16,7 @@ use crate::progress::{Progress, Watched};
 /// A display's picture and what it took.
 pub(crate) struct Drawing {
     pub(crate) image: OutputImage<Rgb888>,
-    pub(crate) stats: Stats,
+    pub(crate) work: Work,
     pub(crate) time: Duration,
 }
 
@@ -35,7 +37,7 @@ where
     C: PixelColor + whitted::Pixel + From<BinaryColor> + Into<Rgb888>,
 {
     let mut display = SimulatorDisplay::<C>::new(size);
-    let mut renderer = Renderer::with_observer(scene, size, Stats::default());
+    let mut renderer = Renderer::with_observer(scene, size, Work::new(scene));
     let mut watched = Watched {
         display: &mut display,
         progress: Progress::new(size.height),
@@ -46,7 +48,7 @@ where
     let image = display.to_rgb_output_image(&OutputSettings::default());
     Ok(Drawing {
         image,
-        stats: *renderer.observer(),
+        work: renderer.observer().clone(),
         time,
     })
 }

@@ -44,7 +44,7 @@ pub(crate) fn gallery(options: &Gallery) -> Outcome {
         entries.push(Entry {
             title: scene.title().unwrap_or(&name).to_owned(),
             file,
-            rays: rays(&drawing.stats),
+            rays: rays(&drawing.work.stats),
         });
     }
     report::save(&sheet.image(), &output.join(sheet::FILE))?;

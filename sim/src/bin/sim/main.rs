@@ -4,6 +4,7 @@
 //! args ── open (scene) ── draw or linear ──> PNG, terminal, window
 
 mod args;
+mod boards;
 mod compare;
 mod draw;
 mod explain;

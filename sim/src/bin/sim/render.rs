@@ -39,7 +39,7 @@ pub(crate) fn render(options: &Render) -> Outcome {
         png16::write(&output, &linear.picture)?;
         report::wrote(&output);
         if options.stats {
-            report::stats(&linear.stats, linear.time);
+            report::stats(&linear.work, linear.time)?;
         }
         library::checksum(&linear.picture)
     } else {
@@ -48,7 +48,7 @@ pub(crate) fn render(options: &Render) -> Outcome {
         if !options.stats {
             return Ok(());
         }
-        report::stats(&drawing.stats, drawing.time);
+        report::stats(&drawing.work, drawing.time)?;
         // The checksum is of linear samples, which a display does not keep.
         library::checksum(&linear(&prepared, size).picture)
     };

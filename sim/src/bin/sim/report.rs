@@ -4,7 +4,9 @@ use std::time::Duration;
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics_simulator::OutputImage;
 use whitted::Stats;
+use whitted_sim::cost::Work;
 
+use crate::boards;
 use crate::outcome::Outcome;
 
 /// Says where a picture was written.
@@ -23,7 +25,7 @@ pub(crate) fn save(image: &OutputImage<Rgb888>, path: &Path) -> Outcome {
 }
 
 /// Prints what a rendering took.
-pub(crate) fn stats(stats: &Stats, time: Duration) {
+pub(crate) fn stats(work: &Work, time: Duration) -> Outcome {
     let Stats {
         eye,
         reflected,
@@ -31,10 +33,11 @@ pub(crate) fn stats(stats: &Stats, time: Duration) {
         shadow,
         intersections,
         ..
-    } = *stats;
+    } = work.stats;
     println!("rays: {eye} eye, {reflected} reflected, {transmitted} transmitted, {shadow} shadow");
     println!("intersection tests: {intersections}");
     println!("time: {:.3} s", time.as_secs_f64());
+    boards::print(work)
 }
 
 /// Prints the checksum of linear samples.

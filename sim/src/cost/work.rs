@@ -1,0 +1,142 @@
+use embedded_graphics_core::geometry::Size;
+use whitted::{Node, Observer, PreparedScene, RayKind, Renderer, ShapeKind, Stats};
+
+use crate::render;
+
+/// What a frame asks for, that has a price of its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Item {
+    /// Its name in the file of the model.
+    pub key: &'static str,
+    /// Its name for people.
+    pub title: &'static str,
+}
+
+macro_rules! items {
+    ($($name:ident: $key:literal, $title:literal;)*) => {
+        /// Places of the items.
+        #[derive(Clone, Copy)]
+        enum Place { $($name),* }
+
+        /// All items, in the order of [`Work::amounts`].
+        pub const ITEMS: [Item; [$(Place::$name),*].len()] = [
+            $(Item { key: $key, title: $title }),*
+        ];
+    };
+}
+
+items! {
+    Byte: "byte", "a byte of the compiled scene, decoded";
+    Eye: "eye_ray", "an eye ray: a pixel";
+    Secondary: "secondary_ray", "a reflected or transmitted ray";
+    Transmitted: "transmitted_ray", "of these, a transmitted one: its refraction";
+    Shadow: "shadow_ray", "a shadow ray";
+    Background: "background", "a ray that meets nothing";
+    Highlight: "highlight", "a highlight";
+    SphereTest: "sphere_test", "a test of a sphere";
+    PlaneTest: "plane_test", "a test of a plane";
+    Sight: "sight", "of these two, one by a secondary ray: its origin is new to the object";
+    EllipsoidTest: "ellipsoid_test", "a test of an ellipsoid";
+    CylinderTest: "cylinder_test", "a test of a cylinder";
+    ConeTest: "cone_test", "a test of a cone";
+    ParaboloidTest: "paraboloid_test", "a test of a paraboloid";
+    FlakeTest: "sphereflake_test", "a test of a sphereflake";
+    FlakeSphere: "sphereflake_sphere", "a sphere of a sphereflake, visited";
+    SphereMet: "sphere_met", "a sphere that is in the way";
+    PlaneBetween: "plane_between", "a plane in the way of a shadow ray";
+    QuadricMet: "quadric_met", "an ellipsoid, cylinder, cone or paraboloid in the way";
+}
+
+/// Counts what a frame asks for.
+#[derive(Clone, Debug, Default)]
+pub struct Work {
+    /// Rays and tests, as people like to see them.
+    pub stats: Stats,
+    amounts: [u64; ITEMS.len()],
+    /// The ray that is under way.
+    ray: Option<RayKind>,
+}
+
+impl Work {
+    /// That of a frame, for all that the microcontroller does: it decodes the
+    /// compiled scene, and draws it.
+    pub fn of(scene: &PreparedScene<'_>, size: Size) -> Self {
+        let mut renderer = Renderer::with_observer(scene, size, Self::new(scene));
+        render::trace(&mut renderer, |_| {});
+        renderer.observer().clone()
+    }
+
+    /// Before the first ray.
+    pub fn new(scene: &PreparedScene<'_>) -> Self {
+        let mut work = Self::default();
+        work.amounts[Place::Byte as usize] = scene.encoded_len() as u64;
+        work
+    }
+
+    /// How much of each item, in the order of [`ITEMS`].
+    pub fn amounts(&self) -> [u64; ITEMS.len()] {
+        self.amounts
+    }
+
+    fn count(&mut self, place: Place) {
+        self.amounts[place as usize] += 1;
+    }
+
+    fn is_secondary(&self) -> bool {
+        matches!(self.ray, Some(RayKind::Reflected | RayKind::Transmitted))
+    }
+}
+
+impl Observer for Work {
+    fn ray(&mut self, kind: RayKind) {
+        self.stats.ray(kind);
+        self.ray = Some(kind);
+        match kind {
+            RayKind::Eye => self.count(Place::Eye),
+            RayKind::Reflected => self.count(Place::Secondary),
+            RayKind::Transmitted => {
+                self.count(Place::Secondary);
+                self.count(Place::Transmitted);
+            }
+            RayKind::Shadow => self.count(Place::Shadow),
+        }
+    }
+
+    fn test(&mut self, shape: ShapeKind, met: bool) {
+        use Place::*;
+        self.stats.test(shape, met);
+        let (test, way) = match shape {
+            ShapeKind::Sphere => (SphereTest, Some(SphereMet)),
+            ShapeKind::Plane => {
+                let is_shadow = self.ray == Some(RayKind::Shadow);
+                (PlaneTest, is_shadow.then_some(PlaneBetween))
+            }
+            ShapeKind::Ellipsoid => (EllipsoidTest, Some(QuadricMet)),
+            ShapeKind::Cylinder => (CylinderTest, Some(QuadricMet)),
+            ShapeKind::Cone => (ConeTest, Some(QuadricMet)),
+            ShapeKind::Paraboloid => (ParaboloidTest, Some(QuadricMet)),
+            ShapeKind::Sphereflake => (FlakeTest, None),
+        };
+        self.count(test);
+        if matches!(test, SphereTest | PlaneTest) && self.is_secondary() {
+            self.count(Sight);
+        }
+        if let Some(way) = way.filter(|_| met) {
+            self.count(way);
+        }
+    }
+
+    fn sphere(&mut self) {
+        self.count(Place::FlakeSphere);
+    }
+
+    fn highlight(&mut self) {
+        self.count(Place::Highlight);
+    }
+
+    fn node(&mut self, node: &Node) {
+        if node.object.is_none() {
+            self.count(Place::Background);
+        }
+    }
+}

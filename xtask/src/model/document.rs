@@ -1,0 +1,163 @@
+//! The document about the model.
+
+use std::fmt::{self, Write};
+
+use whitted_sim::cost::{BOARDS, ITEMS};
+
+use super::count::COUNTED;
+use super::fit::{Fit, Trial};
+use super::mix::Mix;
+use super::thumb::Class;
+use crate::qemu::Core;
+
+const INTRODUCTION: &str = "\
+# What a frame will take
+
+Written by `cargo xtask fit`, with TOOLCHAIN; not to be edited.
+
+`cargo sim render SCENE --stats` says how long a frame would take on microcontrollers. Three things are multiplied:
+
+1. **What the frame asks for**: rays, tests, hits. This machine counts it while it renders, exactly, as every target
+   draws the same bits (`whitted_sim::cost::Work`, an `Observer`).
+2. **Instructions for each**: the table of prices, in `sim/cost.toml`. They are fitted, by non-negative least squares
+   of relative errors, to the instructions that QEMU counts for the frames of all of `scenes/` and of random scenes.
+3. **Cycles for an instruction**, and the clock. This is an estimate: no hardware was at hand.
+";
+
+const PRICES: &str = "
+## Prices
+
+Instructions for one of each. Items that always come together share their price in a way that only the sum of them
+is sure; an item of 0 is paid for by others. The Cortex-M7 runs the code of the M4F.
+
+";
+
+const TRIALS: &str = "
+## How good it is
+
+Each scene is predicted by prices that were fitted without it, and compared with what QEMU counts. A decent prediction
+of a scene whose surfaces no other scene has is not to be expected, and *random* scenes are made of odd things: a camera
+within a glass cone, cylinders without end.
+
+";
+
+const CYCLES: &str = "
+## Cycles
+
+Instructions were logged (`four_spheres` and `every_surface`, 16x12) and sorted into classes, each with the cycles that
+the core's technical reference manual gives it: on the Cortex-M0+ loads and stores take 2, a taken branch 2, `MULS` 1; on
+the M3 and M4 a load 2, a taken branch 1 and 1 to 3 for the pipeline, a long product 3 to 5 on the M3 and 1 on the M4.
+Arm gives no timings for the M7 and M33, so theirs are the M4's, scaled by CoreMark per MHz (3.42, 5.01, 4.02).
+
+Not in it: wait states and caches of flash, which may well double the time of code that runs from it, memory that
+others use at the same time, and the transfer to the display.
+
+";
+
+/// The document.
+pub(super) fn write(fit: &Fit, mixes: &[(Core, Mix)]) -> Result<String, fmt::Error> {
+    let mut text = INTRODUCTION.replace("TOOLCHAIN", &fit.model.toolchain);
+    prices(&mut text, fit)?;
+    trials(&mut text, &fit.trials)?;
+    cycles(&mut text, fit, mixes)?;
+    Ok(text)
+}
+
+fn titles() -> String {
+    COUNTED.map(Core::title).join(" | ")
+}
+
+fn prices(text: &mut String, fit: &Fit) -> fmt::Result {
+    text.push_str(PRICES);
+    writeln!(text, "| item | {} |\n|---|--:|--:|--:|--:|", titles())?;
+    for (index, item) in ITEMS.iter().enumerate() {
+        write!(text, "| {} |", item.title)?;
+        for core in COUNTED {
+            let core = fit.model.core(&core.to_string());
+            let price = core.map_or(0.0, |core| core.instructions[index]);
+            write!(text, " {price:.0} |")?;
+        }
+        text.push('\n');
+    }
+    Ok(())
+}
+
+fn trials(text: &mut String, trials: &[Trial]) -> fmt::Result {
+    text.push_str(TRIALS);
+    writeln!(text, "| scene | {} |\n|---|--:|--:|--:|--:|", titles())?;
+    let shipped = || trials.iter().filter(|trial| trial.is_shipped);
+    let names = shipped().filter(|trial| trial.core == COUNTED[0]);
+    for name in names.map(|trial| &trial.name) {
+        write!(text, "| `{name}` |")?;
+        for trial in shipped().filter(|trial| trial.name == *name) {
+            write!(text, " {:+.1} % |", 100.0 * trial.error())?;
+        }
+        text.push('\n');
+    }
+    let random = |trial: &Trial| trial.name.starts_with("random");
+    average(text, "these, mean of all", trials, |trial| trial.is_shipped)?;
+    average(text, "random scenes, mean of all", trials, random)?;
+    within(text, trials, random)
+}
+
+fn average(
+    text: &mut String,
+    title: &str,
+    trials: &[Trial],
+    is_such: impl Fn(&Trial) -> bool,
+) -> fmt::Result {
+    write!(text, "| {title} |")?;
+    for core in COUNTED {
+        let such = trials.iter().filter(|trial| trial.core == core);
+        let errors: Vec<_> = such
+            .filter(|trial| is_such(trial))
+            .map(|trial| trial.error().abs())
+            .collect();
+        let mean = errors.iter().sum::<f64>() / errors.len().max(1) as f64;
+        write!(text, " {:.1} % |", 100.0 * mean)?;
+    }
+    text.push('\n');
+    Ok(())
+}
+
+/// How many random scenes are within 10 %.
+fn within(text: &mut String, trials: &[Trial], is_such: impl Fn(&Trial) -> bool) -> fmt::Result {
+    write!(text, "| random scenes, within 10 % |")?;
+    for core in COUNTED {
+        let such = trials
+            .iter()
+            .filter(|trial| trial.core == core && is_such(trial));
+        let (good, bad): (Vec<_>, Vec<_>) = such.partition(|trial| trial.error().abs() < 0.1);
+        write!(text, " {} of {} |", good.len(), good.len() + bad.len())?;
+    }
+    text.push('\n');
+    Ok(())
+}
+
+fn cycles(text: &mut String, fit: &Fit, mixes: &[(Core, Mix)]) -> fmt::Result {
+    text.push_str(CYCLES);
+    writeln!(
+        text,
+        "| core | loads | stores | long products | taken branches |\n|---|--:|--:|--:|--:|"
+    )?;
+    for (core, mix) in mixes {
+        let loads = mix.share(|class, _| matches!(class, Class::Load | Class::LoadMany(_)));
+        let stores = mix.share(|class, _| matches!(class, Class::Store | Class::StoreMany(_)));
+        let long =
+            mix.share(|class, _| matches!(class, Class::LongMultiply | Class::LongMultiplyAdd));
+        let taken = mix.share(|_, is_taken| is_taken);
+        let shares = [loads, stores, long, taken].map(|share| format!("{:.0} %", 100.0 * share));
+        writeln!(text, "| {} | {} |", core.title(), shares.join(" | "))?;
+    }
+    writeln!(
+        text,
+        "\n| core | cycles an instruction | clock | chip with such a clock |\n|---|--:|--:|---|"
+    )?;
+    for board in BOARDS {
+        let core = fit.model.core(board.core);
+        let cycles = core.map_or(0.0, |core| core.cycles);
+        let (title, clock, chip) = (board.title, board.megahertz, board.chip);
+        writeln!(text, "| {title} | {cycles:.2} | {clock} MHz | {chip} |")?;
+    }
+    Ok(())
+}
