@@ -1,5 +1,5 @@
 //! What a host adds to [`whitted`]: scene files, pictures and their comparison,
-//! and the ray trees of pixels.
+//! the ray trees of pixels, and what frames take on microcontrollers.
 //!
 //! ```text
 //! scene file ── scene_file ──> whitted::Scene ──> PreparedScene ── render ──> Picture
@@ -9,7 +9,7 @@
 //! With `default-features = false` this is a light library for tests and for
 //! build scripts of firmware; the feature `cli` adds the program `sim`.
 //!
-//! Floating point appears in [`compare`](mod@compare) alone: scenes go from
+//! Floating point appears in [`compare`](mod@compare) and [`cost`] alone: scenes go from
 //! decimals straight to fixed point, and pictures are integers.
 
 pub mod compare;

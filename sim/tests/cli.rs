@@ -71,6 +71,13 @@ fn stats_end_with_the_checksum() -> Outcome {
     assert!(display.contains("\nrays: 192 eye, "), "{display}");
     assert!(display.contains("\nintersection tests: "), "{display}");
     assert!(display.contains("\ntime: "), "{display}");
+    for board in ["Cortex-M0+ at 133 MHz", "Cortex-M7 at 480 MHz"] {
+        let told = display.lines().find(|line| line.contains(board));
+        assert!(
+            told.is_some_and(|line| line.contains(" about ")),
+            "{display}"
+        );
+    }
     let [display, linear] = [&display, &linear].map(|said| said.lines().last());
     assert!(display.is_some_and(|line| line.starts_with("checksum: ")));
     assert_eq!(display, linear);

@@ -7,6 +7,7 @@ use anyhow::{Context, Result, ensure};
 use embedded_graphics::pixelcolor::Gray4;
 use embedded_graphics::prelude::*;
 use whitted::Renderer;
+use whitted_sim::cost::{Model, Work};
 use whitted_sim::{render, scene_file};
 use xtask::firmware::{LM3S6965EVB, PRODUCTS};
 use xtask::qemu::{self, Arithmetic, Core, Machine};
@@ -181,6 +182,42 @@ fn every_core_draws_the_same_pictures() -> Result<()> {
                 expected,
                 "{} on {core:?}",
                 scene.display()
+            );
+        }
+    }
+    Ok(())
+}
+
+/// How far a prediction may be from what is counted, as a share of it.
+const TOLERANCE: f64 = 0.1;
+
+#[test]
+fn the_cost_model_predicts_what_a_frame_takes() -> Result<()> {
+    let model = Model::committed().map_err(anyhow::Error::msg)?;
+    // Sizes that it is not fitted to.
+    for (name, size) in [
+        ("four_spheres", Size::new(64, 48)),
+        ("sphereflake", Size::new(32, 24)),
+    ] {
+        let scene = root().join("scenes").join(name).with_extension("toml");
+        let file = scene_file::load(&scene)?;
+        let mut buffer = Box::new(scene_file::Buffer::new());
+        let work = Work::of(&file.prepare(&mut buffer)?, size);
+        let compiled = Arithmetic::Fixed.compile(&scene)?;
+        for core in [Core::M0, Core::M3] {
+            let machine = Machine::of(core);
+            let elf = machine.firmware(Arithmetic::Fixed).build(None)?;
+            let size = format!("{}x{}", size.width, size.height);
+            let counted = machine
+                .draw(&elf, &compiled, &size)?
+                .number("instructions")?;
+            let prices = model.core(&core.to_string());
+            let predicted = prices.context("the core is priced")?.instructions(&work);
+            let error = predicted / counted as f64 - 1.0;
+            println!("{name} {size} on {core}: {:+.1} %", 100.0 * error);
+            assert!(
+                error.abs() < TOLERANCE,
+                "{name} on {core}: {predicted:.0} predicted, {counted} counted; `cargo xtask fit`"
             );
         }
     }

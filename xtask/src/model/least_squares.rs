@@ -7,7 +7,7 @@
 /// to be seen in any prediction, chooses among prices that the rows cannot
 /// tell apart.
 pub(super) fn non_negative<const N: usize>(rows: &[[f64; N]]) -> [f64; N] {
-    const ROUNDS: usize = 20_000;
+    const ROUNDS: usize = 5_000;
     const RIDGE: f64 = 1e-7;
     // Columns as large as each other, or the ridge would prefer some.
     let scale: [f64; N] = std::array::from_fn(|i| {
@@ -35,7 +35,7 @@ pub(super) fn non_negative<const N: usize>(rows: &[[f64; N]]) -> [f64; N] {
             moved = moved.max((best - x[i]).abs());
             x[i] = best;
         }
-        if moved < 1e-9 * x.iter().fold(1.0, |a: f64, b| a.max(*b)) {
+        if moved < 1e-8 * x.iter().fold(1.0, |a: f64, b| a.max(*b)) {
             break;
         }
     }

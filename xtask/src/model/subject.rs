@@ -18,14 +18,14 @@ pub(super) struct Subject {
 }
 
 /// How many random scenes.
-const RANDOM: u64 = 80;
+const RANDOM: u64 = 64;
 
 /// The project's scenes, some of them again as pictures so small that decoding
 /// shows, and random ones, which tell apart what goes together in the others.
 pub(super) fn all() -> Result<Vec<Subject>> {
     let mut subjects = Vec::new();
     for file in shipped()? {
-        subjects.push(subject(&file, Size::new(96, 72), true));
+        subjects.push(subject(&file, Size::new(80, 60), true));
     }
     for name in ["whitted", "every_surface"] {
         let file = root().join("scenes").join(name).with_extension("toml");
@@ -34,7 +34,7 @@ pub(super) fn all() -> Result<Vec<Subject>> {
     for seed in 0..RANDOM {
         let file = scratch_dir()?.join(format!("random_{seed}.toml"));
         fs::write(&file, whole_shininess(&generator::scene(seed).toml))?;
-        subjects.push(subject(&file, Size::new(48, 36), false));
+        subjects.push(subject(&file, Size::new(40, 30), false));
     }
     Ok(subjects)
 }

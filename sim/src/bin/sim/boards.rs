@@ -7,17 +7,19 @@ use crate::outcome::Outcome;
 /// Prints an estimate for each core, at the clock of a chip that has it.
 pub(crate) fn print(work: &Work) -> Outcome {
     let model = Model::committed()?;
-    println!("estimates, without the display's driver and waiting for flash (docs/cost-model.md):");
+    println!("estimates, without the display's driver and waits for flash (docs/cost-model.md):");
     for board in BOARDS {
         let Some(core) = model.core(board.core) else {
             continue;
         };
-        let core_at = format!("{} at {} MHz", board.title, board.megahertz);
+        let place = format!(
+            "{} at {} MHz ({})",
+            board.title, board.megahertz, board.chip
+        );
         println!(
-            "  on a {core_at:21} about {:>6}, {:>6} M instructions ({})",
+            "  on a {place:33} about {:>6} {:>6} M instructions",
             duration(core.seconds(work, &board)),
             two_digits(core.instructions(work) / 1e6),
-            board.chip,
         );
     }
     Ok(())
@@ -48,7 +50,7 @@ mod tests {
 
     #[test]
     fn durations_are_as_long_as_they_are_sure() {
-        let texts = [31.4, 9.96, 3.14, 0.314, 0.0514].map(duration);
-        assert_eq!(texts, ["31 s", "10 s", "3.1 s", "0.31 s", "51 ms"]);
+        let texts = [31.4, 9.96, 3.08, 0.304, 0.0514].map(duration);
+        assert_eq!(texts, ["31 s", "10 s", "3.1 s", "0.30 s", "51 ms"]);
     }
 }
