@@ -35,7 +35,9 @@ items! {
     Highlight: "highlight", "a highlight";
     SphereTest: "sphere_test", "a test of a sphere";
     PlaneTest: "plane_test", "a test of a plane";
-    Sight: "sight", "of these two, one by a secondary ray: its origin is new to the object";
+    Bound: "bound", "a bound, looked at by a secondary ray";
+    ShadowBound: "shadow_bound", "a bound, looked at by a shadow ray";
+    Outline: "outline", "an object's outline in a line";
     EllipsoidTest: "ellipsoid_test", "a test of an ellipsoid";
     CylinderTest: "cylinder_test", "a test of a cylinder";
     ConeTest: "cone_test", "a test of a cone";
@@ -61,7 +63,10 @@ impl Work {
     /// That of a frame, for all that the microcontroller does: it decodes the
     /// compiled scene, and draws it.
     pub fn of(scene: &PreparedScene<'_>, size: Size) -> Self {
-        let mut renderer = Renderer::with_observer(scene, size, Self::new(scene));
+        let mut work = Self::new(scene);
+        let [objects, ..] = scene.counts();
+        work.amounts[Place::Outline as usize] = objects as u64 * u64::from(size.height);
+        let mut renderer = Renderer::with_observer(scene, size, work);
         render::trace(&mut renderer, |_| {});
         renderer.observer().clone()
     }
@@ -80,10 +85,6 @@ impl Work {
 
     fn count(&mut self, place: Place) {
         self.amounts[place as usize] += 1;
-    }
-
-    fn is_secondary(&self) -> bool {
-        matches!(self.ray, Some(RayKind::Reflected | RayKind::Transmitted))
     }
 }
 
@@ -118,12 +119,18 @@ impl Observer for Work {
             ShapeKind::Sphereflake => (FlakeTest, None),
         };
         self.count(test);
-        if matches!(test, SphereTest | PlaneTest) && self.is_secondary() {
-            self.count(Sight);
-        }
         if let Some(way) = way.filter(|_| met) {
             self.count(way);
         }
+    }
+
+    fn bounds(&mut self, count: u32) {
+        let place = if self.ray == Some(RayKind::Shadow) {
+            Place::ShadowBound
+        } else {
+            Place::Bound
+        };
+        self.amounts[place as usize] += u64::from(count);
     }
 
     fn sphere(&mut self) {

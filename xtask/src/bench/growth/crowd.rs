@@ -6,7 +6,7 @@ use std::fmt::Write;
 
 use anyhow::Result;
 use embedded_graphics_core::geometry::Size;
-use whitted::{Node, Observer, RayKind, Renderer, Stats};
+use whitted::{Node, Observer, RayKind, Renderer, ShapeKind, Stats};
 use whitted_sim::{render, scene_file};
 
 /// Spheres a side: 1 to 256 in all.
@@ -151,8 +151,8 @@ impl Observer for Seen {
         self.stats.ray(kind);
     }
 
-    fn intersections(&mut self, count: u32) {
-        self.stats.intersections(count);
+    fn test(&mut self, shape: ShapeKind, met: bool) {
+        self.stats.test(shape, met);
     }
 
     fn node(&mut self, node: &Node) {
