@@ -75,7 +75,7 @@ pub(crate) fn nearest(
 }
 
 /// The same for an eye ray, which may meet some objects only.
-#[inline(never)]
+#[inline(always)]
 pub(crate) fn nearest_of(
     objects: &[u16],
     scene: &PreparedScene<'_>,
