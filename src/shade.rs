@@ -133,15 +133,18 @@ impl<'s> Surface<'s> {
             return;
         }
         let to_light = way.normalized().0;
-        let mut left = Color::WHITE;
+        let mut left = None;
         let is_lit = self.is_lit(scene, light, index, to_light, &mut left, observer);
-        observer.shadow(index as u16, is_lit.then_some(left).map(share));
+        observer.shadow(
+            index as u16,
+            is_lit.then_some(left.unwrap_or(Color::WHITE)).map(share),
+        );
         if !is_lit {
             return;
         }
         let material = self.material;
         let (mut diffuse, mut specular) = (light.diffuse, light.specular);
-        if left != Color::WHITE {
+        if let Some(left) = left {
             (diffuse, specular) = (diffuse.filtered(left), specular.filtered(left));
         }
         let cosine = to_light.cosine(self.normal);
@@ -154,7 +157,8 @@ impl<'s> Surface<'s> {
         }
     }
 
-    /// Whether light comes through, and what the surfaces on its way leave of it.
+    /// Whether light comes through, and what the surfaces on its way leave of it;
+    /// `None` if that is all.
     #[inline(always)]
     fn is_lit(
         &self,
@@ -162,7 +166,7 @@ impl<'s> Surface<'s> {
         light: &Light,
         index: usize,
         to_light: Vec3<Unit>,
-        left: &mut Color<Factor>,
+        left: &mut Option<Color<Factor>>,
         observer: &mut impl Observer,
     ) -> bool {
         observer.ray(RayKind::Shadow);
@@ -227,30 +231,27 @@ impl<'s> Surface<'s> {
         Factor::from_bits(((highlight + (1 << 15)) >> 16) as u16)
     }
 
-    /// What goes on from here, and how much of it counts.
+    /// The share of the mirrored ray and, if there is a transmitted one, its
+    /// share and direction.
     #[inline]
-    pub(crate) fn shares(&self) -> Shares {
-        let Material { kr, kt, .. } = *self.material;
-        let mut shares = Shares {
-            reflected: kr,
-            transmitted: kt,
-            refraction: None,
-        };
+    pub(crate) fn shares(&self) -> (Color<Factor>, Option<(Color<Factor>, Vec3<Unit>)>) {
+        let Material { kr, kt, .. } = self.material;
         if kt.is_black() {
-            return shares;
+            return (*kr, None);
         }
-        shares.refraction = if self.open {
+        let direction = if self.open {
             Some(self.view)
         } else {
             self.refracted()
         };
-        if shares.refraction.is_none() {
+        match direction {
+            Some(direction) => (*kr, Some((*kt, direction))),
             // Total internal reflection: a perfect mirror.
-            shares.reflected = Color::WHITE;
+            None => (Color::WHITE, None),
         }
-        shares
     }
 
+    #[cold]
     #[inline(never)]
     fn refracted(&self) -> Option<Vec3<Unit>> {
         let Material {
@@ -288,13 +289,4 @@ impl<'s> Surface<'s> {
 #[inline(always)]
 fn factor(cosine: Unit) -> Factor {
     Factor::from_bits((((cosine.to_bits() + (1 << 14)) >> 15) as u16).min(1 << 15))
-}
-
-/// What goes on from a hit: the share of each ray.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Shares {
-    pub(crate) reflected: Color<Factor>,
-    pub(crate) transmitted: Color<Factor>,
-    /// Where the transmitted ray goes, if there is one.
-    pub(crate) refraction: Option<Vec3<Unit>>,
 }

@@ -67,7 +67,7 @@ impl ShadowRay<'_> {
         &self,
         scene: &PreparedScene<'_>,
         number: u16,
-        left: &mut Color<Factor>,
+        left: &mut Option<Color<Factor>>,
         observer: &mut impl Observer,
     ) -> bool {
         let object = scene.object(number);
@@ -87,10 +87,11 @@ impl ShadowRay<'_> {
             observer.test(object.shape.kind(), true);
             return false;
         }
-        let before = *left;
-        *left = filtered(scene, self, object, is_start, before, observer);
-        observer.test(object.shape.kind(), *left != before);
-        !left.is_black()
+        let before = left.unwrap_or(Color::WHITE);
+        let rest = filtered(scene, self, object, is_start, before, observer);
+        observer.test(object.shape.kind(), rest != before);
+        *left = Some(rest);
+        !rest.is_black()
     }
 }
 

@@ -8,7 +8,7 @@ use crate::num::{Factor, Radiance, Unit};
 use crate::observer::{Node, Observer, RayKind, share};
 use crate::prepared::{MAX_DEPTH, PreparedScene, Settings};
 use crate::ray::Ray;
-use crate::shade::{Shares, Surface};
+use crate::shade::Surface;
 use crate::vector::round_unit;
 
 /// Rays of one pixel, shadow rays apart, after which branches add black.
@@ -38,6 +38,18 @@ impl Kin {
         generation: 0,
         kind: RayKind::Eye,
     };
+
+    /// A ray that follows with a share of the weight, if that counts.
+    #[inline(always)]
+    fn child(&self, share: Color<Factor>, kind: RayKind, settings: &Settings) -> Option<Self> {
+        let weight = self.weight.filtered(share);
+        let counts = !share.is_black() && !weight.all(|w| w < settings.min_weight);
+        counts.then_some(Self {
+            weight,
+            generation: self.generation + 1,
+            kind,
+        })
+    }
 }
 
 /// Branches put off: a transmitted ray waits while the reflected one beside
@@ -173,39 +185,26 @@ fn follow(
     branch: &mut Branch,
     stack: &mut Stack,
 ) -> bool {
-    let Shares {
-        reflected,
-        transmitted,
-        refraction,
-    } = surface.shares();
     let from = branch.kin;
-    let follows = |share: Color<Factor>, kind| {
-        let weight = from.weight.filtered(share);
-        let counts = !share.is_black() && !weight.all(|w| w < settings.min_weight);
-        counts.then_some(Kin {
-            weight,
-            generation: from.generation + 1,
-            kind,
-        })
-    };
+    let (mirrored, transmitted) = surface.shares();
     let mut goes_on = false;
-    if let Some(direction) = refraction
-        && let Some(kin) = follows(transmitted, RayKind::Transmitted)
+    if let Some((share, direction)) = transmitted
+        && let Some(kin) = from.child(share, RayKind::Transmitted, settings)
     {
         let ray = surface.transmitted(direction);
         *branch = Branch { ray, kin };
         goes_on = true;
     }
-    if let Some(kin) = follows(reflected, RayKind::Reflected) {
-        if goes_on {
-            // There is room, as said above; no branch is lost.
-            let _ = stack.push(*branch);
-        }
-        let ray = surface.reflected();
-        *branch = Branch { ray, kin };
-        goes_on = true;
+    let Some(kin) = from.child(mirrored, RayKind::Reflected, settings) else {
+        return goes_on;
+    };
+    if goes_on {
+        // There is room, as said above; no branch is lost.
+        let _ = stack.push(*branch);
     }
-    goes_on
+    branch.ray = surface.reflected();
+    branch.kin = kin;
+    true
 }
 
 /// What a ray that hits nothing brings back.
