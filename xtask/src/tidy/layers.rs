@@ -17,7 +17,7 @@ const LAYERS: &[&str] = &[
     // What a person writes down.
     "error", "scene",
     // What is traced, scaled.
-    "observer", "ray", "texture", "shape", "prepared", "camera",
+    "observer", "ray", "texture", "shape", "prepared", "acceleration", "camera", "coverage",
     // From the one to the other.
     "prepare", "compiled", "buffer",
     // Nearest hit, local light, the tree of rays.
