@@ -73,39 +73,39 @@ impl ShadowRay<'_> {
         let object = scene.object(number);
         let is_start = number == self.start.object;
         let light = self.light.position;
-        let in_the_way = match &object.shape {
-            Shape::Sphere(_) if is_start => true,
-            Shape::Sphere(sphere) => sphere.is_between(light, -self.to_light, self.distance()),
-            Shape::Plane(plane) => plane.is_between(light, *self.point, *self.view),
-            Shape::Quadric(_) | Shape::Sphereflake(_) => true,
+        // How often the light meets the surface, if that is known for sure.
+        let crossings = match &object.shape {
+            Shape::Sphere(sphere) => {
+                let [entry, exit] = sphere.is_crossed(light, -self.to_light, self.distance());
+                // From the inside of a sphere the exit is the lit point itself.
+                Some(u8::from(entry) + u8::from(exit && !is_start))
+            }
+            Shape::Plane(plane) => {
+                let is_between = plane.is_between(light, *self.point, *self.view);
+                (!is_between || plane.bounds.is_none()).then_some(is_between.into())
+            }
+            Shape::Quadric(_) | Shape::Sphereflake(_) => None,
         };
-        if !in_the_way {
-            observer.test(object.shape.kind(), false);
-            return true;
-        }
-        if !is_start && blocks(scene, object) {
-            observer.test(object.shape.kind(), true);
-            return false;
-        }
         let before = left.unwrap_or(Color::WHITE);
-        let rest = filtered(scene, self, object, is_start, before, observer);
+        let rest = match (crossings, &object.texture) {
+            (Some(0), _) => {
+                observer.test(object.shape.kind(), false);
+                return true;
+            }
+            (Some(crossings), Texture::Uniform(material)) => {
+                let kt = scene.material(*material).kt;
+                if kt.is_black() {
+                    observer.test(object.shape.kind(), true);
+                    return false;
+                }
+                (0..crossings).fold(before, |left, _| left.filtered(kt))
+            }
+            _ => filtered(scene, self, object, is_start, before, observer),
+        };
         observer.test(object.shape.kind(), rest != before);
         *left = Some(rest);
         !rest.is_black()
     }
-}
-
-/// Whether an object that is found to be in the way is so for sure, and lets no
-/// light through anywhere.
-#[inline(always)]
-fn blocks(scene: &PreparedScene<'_>, object: &Object) -> bool {
-    let is_sure = match &object.shape {
-        Shape::Sphere(_) => true,
-        Shape::Plane(plane) => plane.bounds.is_none(),
-        Shape::Quadric(_) | Shape::Sphereflake(_) => false,
-    };
-    is_sure
-        && matches!(object.texture, Texture::Uniform(material) if scene.material(material).kt.is_black())
 }
 
 /// What is left of the light behind an object that may be in the way.

@@ -105,24 +105,26 @@ impl Sphere {
         })
     }
 
-    /// Whether the line from a light crosses the sphere before `distance`.
-    pub(crate) fn is_between(
+    /// Whether the line from a point enters the sphere, and leaves it, before
+    /// `distance`: no root is needed to know.
+    #[inline]
+    pub(crate) fn is_crossed(
         &self,
-        light: Vec3<Length>,
+        origin: Vec3<Length>,
         direction: Vec3<Unit>,
         distance: Length,
-    ) -> bool {
-        let Some(approach) = self.approach(light, direction) else {
-            return false;
+    ) -> [bool; 2] {
+        let Some(approach) = self.approach(origin, direction) else {
+            return [false; 2];
         };
         // The entry is before the chord's middle, the exit after it.
         let rest = distance.saturating_sub(approach.middle);
+        let is_beyond_middle = rest > Length::ZERO;
         let square = rest.square();
-        if approach.outside {
-            rest > Length::ZERO || square < approach.discriminant
-        } else {
-            rest > Length::ZERO && square > approach.discriminant
-        }
+        [
+            approach.outside && (is_beyond_middle || square < approach.discriminant),
+            is_beyond_middle && square > approach.discriminant,
+        ]
     }
 
     /// The distance to the nearest hit ahead.
