@@ -35,10 +35,10 @@ pub(crate) fn refracted(
         return None;
     }
     // Q59 -> Q56, whose root is in Q28; η c: I4F28 * I2F30 -> Q28
-    let root = i64::from(square_root((k >> 3) as u64));
-    let along = ((eta.product(cosine).to_bits() + (1 << 29)) >> 30) - root;
+    let root = square_root((k >> 3) as u64) as i32;
+    let along = ((eta.product(cosine).to_bits() + (1 << 29)) >> 30) as i32 - root;
     let direction = view.zip(normal, |v, n| {
-        let sum = eta.product(v).to_bits() + along * i64::from(n.to_bits());
+        let sum = eta.product(v).to_bits() + along.product(n.to_bits());
         round_unit(sum, 28)
     });
     Some(direction.renormalized())

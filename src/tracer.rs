@@ -4,7 +4,7 @@ use heapless::Vec;
 
 use crate::Color;
 use crate::intersect::{self, Part};
-use crate::num::{Factor, Radiance, Unit};
+use crate::num::{Factor, Product, Radiance, Unit};
 use crate::observer::{Node, Observer, RayKind, share};
 use crate::prepared::{MAX_DEPTH, PreparedScene, Settings};
 use crate::ray::Ray;
@@ -214,9 +214,9 @@ fn background(settings: &Settings, height: Unit) -> Color<Radiance> {
         return settings.horizon.into();
     }
     settings.horizon.zip(settings.zenith, |horizon, zenith| {
-        let rise = i64::from(zenith.to_bits()) - i64::from(horizon.to_bits());
+        let rise = i32::from(zenith.to_bits()) - i32::from(horizon.to_bits());
         // Q15 * Q30 -> Q30
-        let risen = round_unit(rise * i64::from(height.to_bits()), 15).to_bits();
+        let risen = round_unit(rise.product(height.to_bits()), 15).to_bits();
         Radiance::from_bits((u32::from(horizon.to_bits()) << 15).saturating_add_signed(risen))
     })
 }
