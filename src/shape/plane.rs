@@ -1,5 +1,5 @@
 use crate::Vec3;
-use crate::num::{Length, Scaled, Unit, quotient, reciprocal, wide};
+use crate::num::{Length, Product, Scaled, Unit, quotient, reciprocal, wide};
 use crate::ray::{HORIZON, Point, Ray};
 
 /// A plane, endless or bounded.
@@ -88,18 +88,25 @@ impl Plane {
         from.signum() * i64::from(to.signum()) < 0
     }
 
-    /// The same of a near point.
+    /// How long a vector of any steps, below 2^31, is along the normal.
     #[inline(always)]
-    fn depth_near(&self, point: Vec3<Length>) -> i64 {
-        self.offset - ((point.along(self.normal).to_bits() + (1 << 29)) >> 30)
+    fn along(&self, v: Vec3<i32>) -> i32 {
+        // Of most planes, floors, no product is needed to know.
+        if self.normal.y == Unit::ONE {
+            return v.y;
+        }
+        let n = self.normal.map(Unit::to_bits);
+        let sum = v.x.product(n.x) + v.y.product(n.y) + v.z.product(n.z);
+        ((sum + (1 << 29)) >> 30) as i32
     }
 
     /// The distance of a hit from a near point: exact if it is below `limit`,
     /// else anything above; [`Length::MAX`] if it is not near.
     #[inline]
     pub(crate) fn distance(&self, ray: &Ray, limit: Length) -> Option<Length> {
-        let depth = self.depth_near(ray.origin.coordinates);
-        let cosine = ray.direction.cosine(self.normal).to_bits();
+        let along = self.along(ray.origin.coordinates.map(Length::to_bits));
+        let depth = self.offset - i64::from(along);
+        let cosine = self.along(ray.direction.map(Unit::to_bits));
         if (depth >> 32) as i32 ^ cosine < 0 {
             return None;
         }
