@@ -285,7 +285,7 @@ impl InverseLength {
 
 /// sqrt(x), rounded, relative error below 2^-29: of a square in steps of
 /// 2^-2k, the root in steps of 2^-k.
-#[inline]
+#[inline(never)]
 pub(crate) fn square_root(x: u64) -> u32 {
     if x == 0 {
         0
@@ -299,6 +299,7 @@ pub(crate) fn square_root(x: u64) -> u32 {
 ///
 /// By squaring for the integer part of the exponent and by roots for its
 /// fraction. The error is below 2^-30 times the exponent plus 16.
+#[inline(never)]
 pub(crate) fn power(base: u32, exponent: u32) -> u32 {
     const ONE: u32 = 1 << 31;
     // U1F31 * U1F31 -> U1F31, rounded

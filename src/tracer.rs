@@ -77,6 +77,7 @@ pub(crate) fn trace(
     observer.ray(RayKind::Eye);
     let part = &mut scratch.part;
     let hit = match candidates {
+        Some([]) => None,
         Some(objects) => intersect::nearest_of(objects, scene, ray, part, observer),
         None => intersect::nearest(scene, ray, part, observer),
     };
