@@ -84,6 +84,11 @@ impl ShadowRay<'_> {
                 let is_between = plane.is_between(light, *self.point, *self.view);
                 (!is_between || plane.bounds.is_none()).then_some(is_between.into())
             }
+            Shape::Sphereflake(flake) if is_opaque(scene, object) => {
+                let from = is_start.then_some(*self.start);
+                let reach = self.distance();
+                Some(flake.is_between(&self.ray(), from, reach, observer).into())
+            }
             Shape::Quadric(_) | Shape::Sphereflake(_) => None,
         };
         let before = left.unwrap_or(Color::WHITE);
@@ -106,6 +111,11 @@ impl ShadowRay<'_> {
         *left = Some(rest);
         !rest.is_black()
     }
+}
+
+/// Whether an object lets no light through anywhere.
+fn is_opaque(scene: &PreparedScene<'_>, object: &Object) -> bool {
+    matches!(object.texture, Texture::Uniform(material) if scene.material(material).kt.is_black())
 }
 
 /// What is left of the light behind an object that may be in the way.

@@ -17,13 +17,13 @@ use crate::num::{Length, Product, Unit};
 use crate::observer::Observer;
 use crate::ray::{Ray, Start};
 use crate::vector::round_unit;
-use node::{Chord, Node};
-use walk::{Children, Levels, Walk};
+use node::{Node, upper};
+use walk::{Goal, Nodes, Waiting, Walk};
 
 /// Where a ray meets the flake first.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Meeting {
-    /// Q56.
+    /// Q60.
     distance: i64,
     pub(crate) path: Path,
     /// Outward, in the frame of the sphere.
@@ -33,7 +33,7 @@ pub(crate) struct Meeting {
 impl Meeting {
     /// Rounded, and above 0.
     pub(crate) fn distance(&self) -> Length {
-        Length::from_bits(((self.distance + (1 << 27)) >> 28).max(1) as i32)
+        Length::from_bits(upper(self.distance + (1 << 31)).max(1))
     }
 }
 
@@ -47,26 +47,32 @@ impl Sphereflake {
         limit: Length,
         observer: &mut impl Observer,
     ) -> Option<Meeting> {
-        let mut reach = i64::from(limit.to_bits()) << 28;
+        let mut reach = i64::from(limit.to_bits()) << 32;
         let mut nearest = None;
         if let Some(from) = from.filter(|from| from.inward) {
             let across = self.across(ray, from.part).filter(|it| it.distance < reach);
             reach = across.map_or(reach, |it| it.distance);
             nearest = across;
         }
-        self.walk(ray, reach, observer, &mut |chord| {
-            let ends = [chord.entry, chord.exit];
-            let distance = ends.into_iter().find(|distance| *distance > 0);
-            if let Some(distance) = distance
-                && distance < reach
-                && from.is_none_or(|from| from.part != chord.path)
-            {
-                reach = distance;
-                nearest = Some(Meeting {
-                    distance,
-                    path: chord.path,
-                    normal: chord.normal(distance == chord.exit),
-                });
+        let start = from.map_or(NO_PATH, |from| from.part);
+        self.walk(ray, start, reach, Goal::Nearest, observer, &mut |node| {
+            if node.path == start || !node.is_within(reach) {
+                return reach;
+            }
+            let half = node.half_chord();
+            for past_foot in [-half, half] {
+                let distance = node.distance_to(past_foot);
+                if distance > 0 {
+                    if distance < reach {
+                        reach = distance;
+                        nearest = Some(Meeting {
+                            distance,
+                            path: node.path,
+                            normal: node.normal(past_foot),
+                        });
+                    }
+                    break;
+                }
             }
             reach
         });
@@ -77,17 +83,29 @@ impl Sphereflake {
     /// chord, which is a point where the ray grazes the sphere.
     #[cold]
     fn across(&self, ray: &Ray, path: Path) -> Option<Meeting> {
-        let mut node = Node::largest(self, ray)?;
-        let mut left = path;
+        let mut node = Node::largest(self, ray, i64::MAX)?;
+        let (mut left, mut generation) = (path, 0);
         while left != 0 {
-            node = node.child(self, left & 15);
+            node = node.child(self, left & 15, 4 * generation);
             left >>= 4;
+            generation += 1;
         }
         Some(Meeting {
             distance: (2 * node.distance).max(0),
             path,
-            normal: node.chord_or_foot(path).normal(true),
+            normal: node.normal(node.half_chord()),
         })
+    }
+
+    /// Whether a ray crosses any of the spheres before `reach`.
+    pub(crate) fn is_between(
+        &self,
+        ray: &Ray,
+        from: Option<Start>,
+        reach: Length,
+        observer: &mut impl Observer,
+    ) -> bool {
+        self.crossing(ray, from, reach, Goal::Any, observer, &mut |_| false)
     }
 
     /// Where a ray crosses any of the spheres, up to `reach`, in no order.
@@ -100,33 +118,50 @@ impl Sphereflake {
         observer: &mut impl Observer,
         visit: &mut dyn FnMut(Length) -> bool,
     ) {
-        let reach = i64::from(reach.to_bits()) << 28;
-        self.walk(ray, reach, observer, &mut |chord| {
-            let ends = match from.filter(|from| from.part == chord.path) {
-                None => [chord.entry, chord.exit],
-                // The light is on the inside, too, or comes in at the entry.
-                Some(Start { inward: true, .. }) => [chord.entry, 0],
-                Some(_) => [0, 0],
-            };
-            for distance in ends {
-                if (1..reach).contains(&distance)
-                    && !visit(Length::from_bits((distance >> 28) as i32))
-                {
+        self.crossing(ray, from, reach, Goal::All, observer, visit);
+    }
+
+    fn crossing(
+        &self,
+        ray: &Ray,
+        from: Option<Start>,
+        reach: Length,
+        goal: Goal,
+        observer: &mut impl Observer,
+        visit: &mut dyn FnMut(Length) -> bool,
+    ) -> bool {
+        let reach = i64::from(reach.to_bits()) << 32;
+        let start = from.map_or(NO_PATH, |from| from.part);
+        self.walk(ray, start, reach, goal, observer, &mut |node| {
+            let is_start = node.path == start;
+            // The light is on the inside, too, or comes in at the entry.
+            let is_left = is_start && from.is_some_and(|from| !from.inward);
+            if is_left || !node.is_within(reach) {
+                return reach;
+            }
+            let half = node.half_chord();
+            for past_foot in [-half, half] {
+                let distance = node.distance_to(past_foot);
+                if (1..reach).contains(&distance) && !visit(Length::from_bits(upper(distance))) {
                     return 0;
+                }
+                if is_start {
+                    break;
                 }
             }
             reach
-        });
+        })
     }
 
     /// The outward unit normal of a hit.
     pub(crate) fn normal(&self, meeting: &Meeting) -> Vec3<Unit> {
-        let mut normal = meeting.normal;
+        let mut normal = meeting.normal.map(Unit::to_bits);
         let generations = (32 - meeting.path.leading_zeros()).div_ceil(4);
         for generation in (0..generations).rev() {
             normal = direction::outward(normal, meeting.path >> (4 * generation) & 15);
         }
-        let [u, v, w] = self.axes();
+        let normal = normal.map(Unit::from_bits);
+        let Vec3 { x: u, y: v, z: w } = self.axes;
         let along = |u: Unit, v: Unit, w: Unit| {
             let sum = u.product(normal.x) + v.product(normal.y) + w.product(normal.z);
             round_unit(sum.to_bits(), 30)
@@ -140,28 +175,52 @@ impl Sphereflake {
     }
 
     /// Visits the spheres that the line of a ray passes through ahead of it,
-    /// up to `reach`, roughly in order. `visit` says how far it reaches still:
-    /// 0 to stop.
+    /// up to `reach`, roughly in order, but those that the goal needs not.
+    /// `visit` says how far it reaches still: 0 to stop. Tells whether it did,
+    /// or is sure that any is hit.
     #[inline(never)]
     fn walk(
         &self,
         ray: &Ray,
-        mut reach: i64,
+        start: Path,
+        reach: i64,
+        goal: Goal,
         observer: &mut impl Observer,
-        visit: &mut dyn FnMut(&Chord) -> i64,
-    ) {
-        let (mut levels, mut children) = (Levels::new(), Children::new());
-        let mut walk = Walk::new(self, &mut levels, &mut children);
-        let mut next = Node::largest(self, ray).filter(|node| node.is_within(reach));
-        while let Some(node) = next {
+        visit: &mut dyn FnMut(&Node) -> i64,
+    ) -> bool {
+        let Some(node) = Node::largest(self, ray, reach) else {
+            return false;
+        };
+        let (mut nodes, mut waiting) = (Nodes::new(), Waiting::new());
+        let _ = nodes.push(node);
+        let mut walk = Walk {
+            flake: self,
+            nodes: &mut nodes,
+            waiting: &mut waiting,
+            goal,
+            start,
+            reach: upper(reach),
+        };
+        while let Some(node) = walk.nodes.last() {
             observer.sphere();
-            if let Some(chord) = node.chord(walk.path()) {
-                reach = visit(&chord);
+            let squared = node.squared();
+            if squared < 1 << 58 {
+                let reach = visit(node);
                 if reach <= 0 {
-                    return;
+                    return true;
                 }
+                walk.reach = walk.reach.min(upper(reach));
             }
-            next = walk.next(node, reach);
+            if walk.descend(squared) {
+                return true;
+            }
+            if walk.next().is_none() {
+                break;
+            }
         }
+        false
     }
 }
+
+/// Of no sphere: children are 1 to 12.
+const NO_PATH: Path = Path::MAX;

@@ -1,18 +1,21 @@
 //! The twelve directions of a sphere's children, those of a cuboctahedron: six
 //! around the equator, three above and their opposites below.
 
-use fixed::types::I3F29;
-
 use crate::Vec3;
 use crate::num::{Product, Unit};
-use crate::vector::round_unit;
 
-/// A child's direction a in its parent's frame (u, v, w), and what turns w to
-/// it: the smallest rotation, `u' = u - turn.0 (w + a)`, `v' = v - turn.1 (w + a)`,
-/// `w' = a`, with `turn = (a.u, a.v) / (1 + a.w)`.
+use super::node::upper;
+
+/// The smallest rotation that turns a parent's w to a child's direction a. It
+/// takes u to `u - a.u / (1 + a.w) (w + a)`, v likewise: symmetric but for its
+/// last row and column, which are a and its opposite.
+#[derive(Clone, Copy)]
 struct Direction {
     axis: Vec3<Unit>,
-    turn: [I3F29; 2],
+    /// `1 - a.u² / (1 + a.w)`, `1 - a.v² / (1 + a.w)`, `-a.u a.v / (1 + a.w)`.
+    u: Unit,
+    v: Unit,
+    uv: Unit,
 }
 
 /// sqrt(3/4).
@@ -27,14 +30,16 @@ const DIRECTIONS: [Direction; 12] = {
         Unit::from_bits(bits as i32)
     }
     const fn direction(x: i64, y: i64, z: i64) -> Direction {
-        // Q30 / Q30 -> Q29, rounded
-        const fn turn(part: i64, z: i64) -> I3F29 {
+        // Q60 / Q30 -> Q30, rounded
+        const fn quotient(product: i64, z: i64) -> i64 {
             let whole = (1 << 30) + z;
-            I3F29::from_bits((((part << 30) / whole + 1) >> 1) as i32)
+            (product + product.signum() * whole / 2) / whole
         }
         Direction {
             axis: Vec3::new(unit(x), unit(y), unit(z)),
-            turn: [turn(x, z), turn(y, z)],
+            u: unit(ONE - quotient(x * x, z)),
+            v: unit(ONE - quotient(y * y, z)),
+            uv: unit(-quotient(x * y, z)),
         }
     }
     const ONE: i64 = 1 << 30;
@@ -69,33 +74,31 @@ pub(super) fn axis(child: u32) -> Vec3<Unit> {
     direction(child).axis
 }
 
-/// A vector of the parent's frame in the child's.
-#[inline]
-pub(super) fn inward(v: Vec3<Unit>, child: u32) -> Vec3<Unit> {
-    let Direction { axis, turn } = direction(child);
-    let along = v.cosine(*axis);
-    // Up to 4: v is up to 2 long.
-    let sum = i64::from(v.z.to_bits()) + i64::from(along.to_bits());
-    let turned = |c: Unit, turn: I3F29| {
-        let product = (sum * i64::from(turn.to_bits()) + (1 << 28)) >> 29;
-        Unit::from_bits((i64::from(c.to_bits()) - product) as i32)
-    };
-    Vec3::new(turned(v.x, turn[0]), turned(v.y, turn[1]), along)
+/// The sum of three products, in steps of four.
+#[inline(always)]
+fn sum(products: [(i32, Unit); 3]) -> i32 {
+    let [x, y, z] = products.map(|(c, factor)| c.product(factor.to_bits()));
+    upper(x + y + z) << 2
 }
 
-/// A unit vector of the child's frame in the parent's.
-#[inline]
-pub(super) fn outward(v: Vec3<Unit>, child: u32) -> Vec3<Unit> {
-    let Direction { axis, turn } = direction(child);
-    // Q30 * Q29 -> Q59 -> Q30
-    let sum = turn[0].product(v.x) + turn[1].product(v.y);
-    let sum = (sum.to_bits() + (1 << 28)) >> 29;
-    let along = i64::from(v.z.to_bits()) - sum;
-    let part = |axis: Unit| round_unit(along * i64::from(axis.to_bits()), 30).to_bits();
-    let turned = |c: i64, axis: Unit| Unit::from_bits((c + i64::from(part(axis))) as i32);
+/// A vector of the parent's frame, in steps of any size, in the child's.
+#[inline(always)]
+pub(super) fn inward(Vec3 { x, y, z }: Vec3<i32>, child: u32) -> Vec3<i32> {
+    let Direction { axis, u, v, uv } = *direction(child);
     Vec3::new(
-        turned(v.x.to_bits().into(), axis.x),
-        turned(v.y.to_bits().into(), axis.y),
-        turned(-sum, axis.z),
+        sum([(x, u), (y, uv), (-z, axis.x)]),
+        sum([(x, uv), (y, v), (-z, axis.y)]),
+        sum([(x, axis.x), (y, axis.y), (z, axis.z)]),
+    )
+}
+
+/// A vector of the child's frame, in steps of any size, in the parent's.
+#[inline]
+pub(super) fn outward(Vec3 { x, y, z }: Vec3<i32>, child: u32) -> Vec3<i32> {
+    let Direction { axis, u, v, uv } = *direction(child);
+    Vec3::new(
+        sum([(x, u), (y, uv), (z, axis.x)]),
+        sum([(x, uv), (y, v), (z, axis.y)]),
+        sum([(-x, axis.x), (-y, axis.y), (z, axis.z)]),
     )
 }

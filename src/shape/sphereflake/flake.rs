@@ -1,11 +1,11 @@
-use fixed::types::{I3F29, U0F32, U4F28};
+use fixed::types::{I3F29, U0F32, U1F15};
 
 use crate::Vec3;
 use crate::num::{Length, Product, Unit, reciprocal};
 use crate::vector::round_unit;
 
 use super::super::bound::Bound;
-use super::direction::{ASIDE, ELEVATION, EQUATOR};
+use super::direction::{ASIDE, ELEVATION};
 
 /// A length in radii of a sphere: ±4 in steps of 2^-29.
 pub(crate) type Radii = I3F29;
@@ -35,12 +35,14 @@ pub(crate) struct Parts {
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Sphereflake {
     pub(super) center: Vec3<Length>,
-    pub(super) frame: [Vec3<Unit>; 2],
+    /// The directions u, v and w of the largest sphere.
+    pub(super) axes: Vec3<Vec3<Unit>>,
     pub(super) radius: U0F32,
     /// `1 / (radius * 2^n)`, with n such that the quotient is 1 to 2: `U1F31`.
     pub(super) inverse_radius: u32,
     pub(super) ratio: U0F32,
-    pub(super) inverse_ratio: U4F28,
+    /// `1 / (ratio * 2^n)`, with n such that the quotient is 1 to 2.
+    pub(super) inverse_ratio: Unit,
     pub(super) steps: Steps,
     /// All of it is within so many radii.
     pub(super) bound: Radii,
@@ -58,18 +60,24 @@ impl Sphereflake {
         } = parts;
         let mantissa = |x: U0F32| x.to_bits().wrapping_shl(x.leading_zeros()) | 1 << 31;
         let inverse = |x| reciprocal(mantissa(x));
-        // U1F31 * 2^(n - 3) -> U4F28
-        let inverse_ratio = inverse(ratio) >> (3 - ratio.leading_zeros().min(3));
-        Self {
+        let [u, v] = frame;
+        let w = u.cross(v).map(|c| round_unit(c, 30));
+        let flake = Self {
             center,
-            frame,
+            axes: Vec3::new(u, v, w),
             radius,
             inverse_radius: inverse(radius),
             ratio,
-            inverse_ratio: U4F28::from_bits(inverse_ratio),
-            steps: Steps::new(ratio),
+            inverse_ratio: Unit::from_bits(
+                (inverse(ratio).saturating_add(1) >> 1).min(i32::MAX as u32) as i32,
+            ),
+            steps: Steps::default(),
             bound: Self::bound(ratio, depth),
             depth,
+        };
+        Self {
+            steps: Steps::new(flake.step()),
+            ..flake
         }
     }
 
@@ -77,7 +85,7 @@ impl Sphereflake {
     pub(crate) fn parts(&self) -> Parts {
         Parts {
             center: self.center,
-            frame: self.frame,
+            frame: [self.axes.x, self.axes.y],
             radius: self.radius,
             ratio: self.ratio,
             depth: self.depth,
@@ -87,7 +95,7 @@ impl Sphereflake {
     /// A sphere around all of it.
     pub(crate) fn bounding_sphere(&self) -> Bound {
         // U0F32 * Q29 -> Q61 -> Q28, rounded up.
-        let reach = u64::from(self.radius.to_bits()) * self.bound.to_bits() as u64;
+        let reach = self.radius.to_bits().product(self.bound.to_bits() as u32);
         Bound {
             center: self.center,
             radius: Length::from_bits((reach >> 33) as i32 + 1),
@@ -106,45 +114,42 @@ impl Sphereflake {
         Radii::from_bits((bound as i32 + 1) << 1)
     }
 
-    /// u, v and w of the largest sphere.
-    pub(super) fn axes(&self) -> [Vec3<Unit>; 3] {
-        let [u, v] = self.frame;
-        let w = u.cross(v).map(|c| round_unit(c, 30));
-        [u, v, w]
+    /// From a sphere's center to a child's, in radii: 1.1 to 1.5.
+    #[inline(always)]
+    pub(super) fn step(&self) -> Unit {
+        Unit::from_bits((1 << 30) + ((self.ratio.to_bits() >> 1).div_ceil(2)) as i32)
     }
 }
 
-/// Directions to children, `1 + ratio` long.
+/// The terms of directions to children, `1 + ratio` long.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Steps {
-    /// From a sphere's center to a child's, in radii: 1.1 to 1.5.
-    pub(super) along: Unit,
-    equator: Unit,
-    aside: Unit,
-    elevation: Unit,
+    pub(super) along: U1F15,
+    aside: U1F15,
+    elevation: U1F15,
 }
 
 impl Steps {
-    fn new(ratio: U0F32) -> Self {
-        let along = Unit::from_bits((1 << 30) + (ratio.to_bits() >> 2) as i32);
-        let part = |k: Unit| round_unit(along.product(k).to_bits(), 30);
+    fn new(step: Unit) -> Self {
+        // Q30 * Q30 -> Q60 -> Q15, rounded
+        let part =
+            |k: Unit| U1F15::from_bits(((step.product(k).to_bits() + (1 << 44)) >> 45) as u16);
         Self {
-            along,
-            equator: part(EQUATOR),
+            along: part(Unit::ONE),
             aside: part(ASIDE),
             elevation: part(ELEVATION),
         }
     }
 
-    /// The dot products with the first six directions, of which the others are
-    /// the opposites; shifted right.
-    #[inline]
+    /// The dot products of a vector of 16 bits with the first six directions,
+    /// of which the others are the opposites: Q15, shifted right.
+    #[inline(always)]
     pub(super) fn dots(&self, v: Vec3<i32>, shift: u32) -> [i32; 6] {
-        let part = |c: i32, k: Unit| (c.product(k.to_bits()) >> shift) as i32;
+        let part = |c: i32, k: U1F15| (c * i32::from(k.to_bits())) >> shift;
         let x = part(v.x, self.along);
         let half = x >> 1;
-        let equator = part(v.y, self.equator);
         let aside = part(v.y, self.aside);
+        let equator = 3 * aside;
         let up = part(v.z, self.elevation);
         [
             x,

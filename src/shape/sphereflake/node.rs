@@ -14,175 +14,164 @@ pub(super) struct Node {
     /// The point of the ray's line that is nearest to the center.
     pub(super) foot: Vec3<Radii>,
     pub(super) direction: Vec3<Unit>,
-    /// From the ray's origin to the foot, Q56 of the scene.
+    /// From the ray's origin to the foot, Q60 of the scene.
     pub(super) distance: i64,
     pub(super) radius: I1F31,
     /// The sphere and all that follows from it is within so many radii.
     pub(super) bound: Radii,
-}
-
-/// The part of a ray's line within a sphere.
-pub(super) struct Chord {
     pub(super) path: Path,
-    /// Q56; below 0 behind the ray's origin.
-    pub(super) entry: i64,
-    pub(super) exit: i64,
-    half: Radii,
-    foot: Vec3<Radii>,
-    direction: Vec3<Unit>,
 }
 
-impl Chord {
-    /// The outward normal at an end, in the sphere's frame.
-    pub(super) fn normal(&self, at_exit: bool) -> Vec3<Unit> {
-        let half = if at_exit { self.half } else { -self.half };
-        // Q29 -> Q59; Q29 * Q30 -> Q59; rounded to Q30.
-        self.foot.zip(self.direction, |l, d| {
-            round_unit(
-                (i64::from(l.to_bits()) << 30) + half.product(d).to_bits(),
-                29,
-            )
-        })
-    }
-}
-
-/// A length in radii as Q56 of the scene: `Q29 * Q31 -> Q60 -> Q56`.
+/// The upper word of a distance: in steps of a `Length`.
 #[inline(always)]
-pub(super) fn scaled(radii: Radii, radius: I1F31) -> i64 {
-    radii.to_bits().product(radius.to_bits()) >> 4
+pub(super) fn upper(distance: i64) -> i32 {
+    (distance >> 32) as i32
+}
+
+/// The upper word of `x << shift`, for shifts of 1 to 31.
+#[inline(always)]
+fn upper_shifted(x: i64, shift: u32) -> i32 {
+    upper(x) << (shift & 31) | (x as u32 >> (32_u32.wrapping_sub(shift) & 31)) as i32
+}
+
+/// The upper word of a product.
+#[inline(always)]
+pub(super) fn upper_product(a: i32, b: i32) -> i32 {
+    upper(a.product(b))
 }
 
 impl Node {
-    /// The largest sphere, if the ray's line passes within its bound.
+    /// The largest sphere, if the ray passes within its bound ahead, and up to
+    /// `reach`.
     #[inline]
-    pub(super) fn largest(flake: &Sphereflake, ray: &Ray) -> Option<Self> {
+    pub(super) fn largest(flake: &Sphereflake, ray: &Ray, reach: i64) -> Option<Self> {
         let d = ray.direction;
         let offset = ray.origin.coordinates - flake.center;
         // What is rounded away moves the foot along the ray, where it does no
         // harm: Q28 * Q30 -> Q58 -> Q28.
-        let distance = -((offset.along(d).to_bits() + (1 << 29)) >> 30);
+        let distance = -(((offset.along(d).to_bits() + (1 << 29)) >> 30) as i32);
+        let radius = I1F31::from_bits((flake.radius.to_bits() >> 1) as i32);
+        // Q29 * Q31 -> Q60 -> Q28
+        let bound = upper_product(flake.bound.to_bits(), radius.to_bits()) + 1;
+        if distance + bound <= 0 || distance - bound > upper(reach) {
+            return None;
+        }
+        // Q56; the margin is what the direction's error can do to a distance.
+        let square = |c: i32| c.square();
+        if offset.squared().to_bits() - square(distance) - square(bound) > 1 << 34 {
+            return None;
+        }
         // Q58, exact.
         let foot = offset.zip(d, |o, d| {
-            (i64::from(o.to_bits()) << 30) + i64::from(d.to_bits()) * distance
+            (i64::from(o.to_bits()) << 30) + d.to_bits().product(distance)
         });
-        let radius = I1F31::from_bits((flake.radius.to_bits() >> 1) as i32);
-        let most = (scaled(flake.bound, radius) << 2) + (1 << 30);
-        if !foot.all(|c| (-most..=most).contains(&c)) {
+        // Of a small flake that margin may be large.
+        let shift = flake.radius.leading_zeros();
+        let most = i64::from(bound) << 30;
+        if shift > 8 && !foot.all(|c| (-most..=most).contains(&c)) {
             return None;
         }
         // In radii: by the power of two, Q58 -> Q29, then by what is left, 1 to 2.
-        let shift = flake.radius.leading_zeros();
+        let inverse = i64::from(flake.inverse_radius);
         let foot = foot.map(|c| {
-            let product = ((c << shift) >> 29) * i64::from(flake.inverse_radius);
+            let product = i64::from(upper_shifted(c, shift + 3)) * inverse;
             Radii::from_bits(((product + (1 << 30)) >> 31) as i32)
         });
         let node = Self {
-            foot,
-            direction: d,
-            distance: distance << 28,
+            foot: flake.axes.map(|axis| {
+                let sum = foot.x.product(axis.x) + foot.y.product(axis.y) + foot.z.product(axis.z);
+                Radii::from_bits(((sum.to_bits() + (1 << 29)) >> 30) as i32)
+            }),
+            direction: flake.axes.map(|axis| d.cosine(axis)),
+            distance: i64::from(distance) << 32,
             radius,
             bound: flake.bound,
+            path: 0,
         };
-        if node.squared() > node.bound.square().to_bits() as u64 >> 2 {
-            return None;
-        }
-        let [u, v, w] = flake.axes();
-        let turned = |axis: Vec3<Unit>| {
-            let sum = foot.x.product(axis.x) + foot.y.product(axis.y) + foot.z.product(axis.z);
-            Radii::from_bits(((sum.to_bits() + (1 << 29)) >> 30) as i32)
-        };
-        Some(Self {
-            foot: Vec3::new(turned(u), turned(v), turned(w)),
-            direction: Vec3::new(d.cosine(u), d.cosine(v), d.cosine(w)),
-            ..node
-        })
+        (node.squared() <= node.bound.square().to_bits()).then_some(node)
     }
 
-    /// The square of the foot's distance, Q56 of square radii.
+    /// The square of the foot's distance, Q58 of square radii.
     #[inline(always)]
-    pub(super) fn squared(&self) -> u64 {
-        let square = self.foot.map(|c| c.square().to_bits() as u64 >> 2);
-        square.x + square.y + square.z
+    pub(super) fn squared(&self) -> i64 {
+        let foot = self.foot;
+        let square = foot.x.square() + foot.y.square() + foot.z.square();
+        square.to_bits()
     }
 
-    /// Whether some of all that is within the bound may be ahead and within reach.
+    /// Half of what the sphere cuts out of the ray's line; nothing where the
+    /// line passes by.
     #[inline]
+    pub(super) fn half_chord(&self) -> Radii {
+        let rest = ((1_i64 << 58) - self.squared()).max(0);
+        Radii::from_bits(square_root(rest as u64) as i32)
+    }
+
+    /// Whether some of the sphere may be ahead and within reach.
+    #[inline(always)]
     pub(super) fn is_within(&self, reach: i64) -> bool {
-        let bound = scaled(self.bound, self.radius);
-        self.distance + bound > 0 && self.distance - bound < reach
+        // Q31 -> Q28, rounded up
+        let radius = (self.radius.to_bits() >> 3) + 1;
+        let distance = upper(self.distance);
+        distance + radius >= 0 && distance - radius <= upper(reach)
     }
 
-    /// What the sphere itself cuts out of the ray's line.
-    #[inline]
-    pub(super) fn chord(&self, path: Path) -> Option<Chord> {
-        let rest = (1_u64 << 56).checked_sub(self.squared())?;
-        Some(self.chord_of(path, rest))
-    }
-
-    /// The same; where the line passes by, the foot alone.
-    pub(super) fn chord_or_foot(&self, path: Path) -> Chord {
-        self.chord_of(path, (1_u64 << 56).saturating_sub(self.squared()))
-    }
-
+    /// From the ray's origin to so many radii past the foot, Q60 of the scene.
     #[inline(always)]
-    fn chord_of(&self, path: Path, rest: u64) -> Chord {
-        // Q58 -> Q29
-        let half = Radii::from_bits(square_root(rest << 2) as i32);
-        let length = scaled(half, self.radius);
-        Chord {
-            path,
-            entry: self.distance - length,
-            exit: self.distance + length,
-            half,
-            foot: self.foot,
-            direction: self.direction,
-        }
+    pub(super) fn distance_to(&self, past_foot: Radii) -> i64 {
+        self.distance + past_foot.product(self.radius).to_bits()
     }
 
-    /// From the ray's origin to a child's foot, which is so many radii (Q30)
-    /// farther: `Q30 * Q31 -> Q61 -> Q56`.
-    #[inline(always)]
-    pub(super) fn foot_of(&self, farther: i32) -> i64 {
-        self.distance + (farther.product(self.radius.to_bits()) >> 5)
+    /// The outward normal at an end of the chord, in the sphere's frame.
+    pub(super) fn normal(&self, past_foot: Radii) -> Vec3<Unit> {
+        // Q29 -> Q59; Q29 * Q30 -> Q59; rounded to Q30.
+        self.foot.zip(self.direction, |l, d| {
+            round_unit(
+                (i64::from(l.to_bits()) << 30) + past_foot.product(d).to_bits(),
+                29,
+            )
+        })
     }
 
     /// How far from a child's center all that follows from it reaches, in the
     /// radii of the parent, rounded up.
     #[inline(always)]
     pub(super) fn child_bound(&self, flake: &Sphereflake) -> Radii {
-        Radii::from_bits(self.bound.to_bits() - (flake.steps.along.to_bits() >> 1) + 1)
+        Radii::from_bits(self.bound.to_bits() - (flake.step().to_bits() >> 1) + 1)
     }
 
-    /// The same ray as a child sees it: the foot is taken anew, turned and
-    /// brought to the child's radii.
-    #[inline]
-    pub(super) fn child(&self, flake: &Sphereflake, child: u32) -> Self {
-        let axis = axis(child);
-        let step = flake.steps.along;
+    /// The same ray as a child sees it: the foot is taken anew, brought to the
+    /// child's radii and turned.
+    #[inline(never)]
+    pub(super) fn child(&self, flake: &Sphereflake, child: u32, path_shift: u32) -> Self {
+        let direction = inward(self.direction.map(Unit::to_bits), child).map(Unit::from_bits);
+        let step = flake.step();
+        let back = -step;
         // How much farther the child's foot is: Q30 * Q30 -> Q30
-        let farther = round_unit(step.product(self.direction.cosine(axis)).to_bits(), 30);
-        // l - step a + farther d: Q29 -> Q60; Q30 * Q30 -> Q60; rounded to Q30.
+        let farther = round_unit(step.product(direction.z).to_bits(), 30);
+        // l - step a + farther d: Q29 -> Q60; Q30 * Q30 -> Q60 -> Q30
         let foot = self.foot.map(|l| i64::from(l.to_bits()) << 31);
-        let foot = foot.zip(axis, |l, a| l - step.product(a).to_bits());
+        let foot = foot.zip(axis(child), |l, a| l + back.product(a).to_bits());
         let foot = foot.zip(self.direction, |l, d| {
-            round_unit(l + farther.product(d).to_bits(), 30)
+            ((l + farther.product(d).to_bits() + (1 << 29)) >> 30) as i32
         });
-        let inverse = i64::from(flake.inverse_ratio.to_bits());
+        // Q30 * Q30 -> Q60, and by the power of two -> Q29
+        let inverse = flake.inverse_ratio.to_bits();
+        let shift = flake.ratio.leading_zeros() + 1;
+        let foot = foot.map(|c| upper_shifted(c.product(inverse), shift));
+        let bound = (upper_product(self.child_bound(flake).to_bits(), inverse) + 1) << (shift + 1);
         Self {
-            // Q30 * Q28 -> Q58 -> Q29
-            foot: inward(foot, child).map(|c| {
-                Radii::from_bits(((i64::from(c.to_bits()) * inverse + (1 << 28)) >> 29) as i32)
-            }),
-            direction: inward(self.direction, child),
-            distance: self.foot_of(farther.to_bits()),
+            foot: inward(foot, child).map(Radii::from_bits),
+            direction,
+            // Q30 * Q31 -> Q61 -> Q60
+            distance: self.distance_to(Radii::from_bits((farther.to_bits() + 1) >> 1)),
+            // Q31 * Q32 -> Q63 -> Q31
             radius: I1F31::from_bits(
                 ((wide(self.radius.to_bits() as u32, flake.ratio.to_bits()) + (1 << 31)) >> 32)
                     as i32,
             ),
-            // Rounded up.
-            bound: Radii::from_bits(
-                ((i64::from(self.child_bound(flake).to_bits()) * inverse) >> 28) as i32 + 1,
-            ),
+            bound: Radii::from_bits(bound),
+            path: self.path | child << path_shift,
         }
     }
 }

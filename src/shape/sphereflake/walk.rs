@@ -2,132 +2,178 @@ use core::mem::swap;
 
 use heapless::Vec;
 
-use crate::num::{Square, Unit};
-
-use super::flake::{MAX_DEPTH, Path, Radii, Sphereflake};
-use super::node::{Node, scaled};
+use super::flake::{MAX_DEPTH, Path, Sphereflake};
+use super::node::{Node, upper, upper_product};
 
 /// The way of a ray through the tree of spheres, the nearer child first.
 ///
 /// Its lists are apart, as the compiler would clear them with it.
 pub(super) struct Walk<'w> {
-    flake: &'w Sphereflake,
-    levels: &'w mut Levels,
-    children: &'w mut Children,
-    path: Path,
+    pub(super) flake: &'w Sphereflake,
+    pub(super) nodes: &'w mut Nodes,
+    pub(super) waiting: &'w mut Waiting,
+    pub(super) goal: Goal,
+    /// The sphere that the ray starts on, which is no hit.
+    pub(super) start: Path,
+    /// What is farther is passed over, in steps of a `Length`.
+    pub(super) reach: i32,
 }
 
-/// From the largest sphere down to the one whose children are visited.
-pub(super) type Levels = Vec<Level, { MAX_DEPTH as usize }>;
+/// What a walk looks for.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Goal {
+    Nearest,
+    Any,
+    All,
+}
+
+/// From the largest sphere down to where the walk is.
+pub(super) type Nodes = Vec<Node, { MAX_DEPTH as usize + 1 }>;
 
 /// Children that are still to be visited: of each level up to twelve, the
-/// nearest last. The upper 28 bits are how much farther the child's foot is,
-/// Q30 in radii, the lower four tell the child.
-pub(super) type Children = Vec<i32, { 12 * MAX_DEPTH as usize }>;
+/// nearest last.
+pub(super) type Waiting = Vec<i32, { 12 * MAX_DEPTH as usize }>;
 
-/// A sphere on the way down.
-pub(super) struct Level {
-    node: Node,
-    /// Where its children begin.
-    first: usize,
-}
+/// The upper 16 bits are how much farther a child's foot is, Q14 in radii. Of
+/// the lower, four tell the level of its parent, four the child.
+type Candidates = Vec<i32, 12>;
 
-impl<'w> Walk<'w> {
+/// Set where the ray's line meets the child's sphere itself for sure.
+const SURE: i32 = 1 << 8;
+
+/// What 16 bits leave open: of squares 34 * 2^-14, Q27; of how much farther a
+/// foot is 7 * 2^-14, Q29.
+const SQUARE_MARGIN: i32 = 34 << 13;
+const FARTHER_MARGIN: i32 = 7 << 15;
+
+impl Walk<'_> {
+    /// Goes on to the nearest child within reach, or that of the deepest sphere
+    /// that has one.
     #[inline]
-    pub(super) fn new(
-        flake: &'w Sphereflake,
-        levels: &'w mut Levels,
-        children: &'w mut Children,
-    ) -> Self {
-        Self {
-            flake,
-            levels,
-            children,
-            path: 0,
-        }
-    }
-
-    /// Where the walk is.
-    pub(super) fn path(&self) -> Path {
-        self.path
-    }
-
-    /// Goes on from a sphere: to its nearest child within reach, or that of the
-    /// deepest sphere that has one.
-    #[inline]
-    pub(super) fn next(&mut self, node: Node, reach: i64) -> Option<Node> {
-        if self.levels.len() < usize::from(self.flake.depth) {
-            self.descend(node, reach);
-        }
+    pub(super) fn next(&mut self) -> Option<()> {
         loop {
-            let Level { node, first } = self.levels.last()?;
-            if self.children.len() > *first
-                && let Some(child) = self.children.pop()
-            {
-                let bound = scaled(node.child_bound(self.flake), node.radius);
-                if node.foot_of(child & !15) - bound < reach {
-                    let child = (child & 15) as u32;
-                    let shift = 4 * (self.levels.len() as u32 - 1);
-                    self.path = self.path & !(u32::MAX << shift) | child << shift;
-                    return Some(node.child(self.flake, child));
-                }
-                // So are all that are left.
-                self.children.truncate(*first);
+            let next = self.waiting.pop()?;
+            let (level, child) = (next as u32 >> 4 & 15, next as u32 & 15);
+            self.nodes.truncate(level as usize + 1);
+            let parent = self.nodes.last()?;
+            if distance(parent, next) - reach_of_child(parent, self.flake) <= self.reach {
+                let node = parent.child(self.flake, child, 4 * level);
+                let _ = self.nodes.push(node);
+                return Some(());
             }
-            self.levels.pop();
         }
     }
 
-    /// Finds the children whose bound the ray passes through within reach.
-    ///
-    /// With child direction a, `step = 1 + ratio` and `b = step d·a`, the
-    /// child's foot has the square `l² + step² - 2 step l·a - b²`. Children are
-    /// six pairs of opposites, and the dot products share their terms.
+    /// Puts the children on the list whose bound the ray passes through within
+    /// reach. Tells whether the goal is reached, as one is hit for sure.
     #[inline]
-    fn descend(&mut self, node: Node, reach: i64) {
-        let flake = self.flake;
-        let first = self.children.len();
-        let step = flake.steps.along;
-        let child_bound = node.child_bound(flake);
-        // Q56 -> Q27; a margin of what all roundings can do.
-        let squares = (node.squared() as i64) + (step.square().to_bits() >> 4)
-            - (child_bound.square().to_bits() >> 2);
-        let threshold = (squares >> 29) as i32 - 16;
-        let farther = flake.steps.dots(node.direction.map(Unit::to_bits), 30);
-        // Q29 -> Q28, and so twice of it in Q27.
-        let nearer = flake.steps.dots(node.foot.map(Radii::to_bits), 31);
-        let bound = scaled(child_bound, node.radius);
-        for (pair, (farther, nearer)) in (1..).zip(farther.into_iter().zip(nearer)) {
-            // Q60 -> Q27
-            let square = (farther.square() >> 33) as i32;
-            if square + nearer.abs() < threshold {
+    pub(super) fn descend(&mut self, squared: i64) -> bool {
+        let level = self.nodes.len() as u32 - 1;
+        if level >= u32::from(self.flake.depth) {
+            return false;
+        }
+        let Some(node) = self.nodes.last() else {
+            return false;
+        };
+        let path = node.path;
+        let mut candidates = Candidates::new();
+        find(node, self.flake, upper(squared), &mut candidates);
+        let bound = reach_of_child(node, self.flake);
+        let first = self.waiting.len();
+        for &candidate in &candidates {
+            let distance = distance(node, candidate);
+            if distance + bound < 0 || distance - bound > self.reach {
                 continue;
             }
-            for (child, farther, nearer) in [(pair, farther, nearer), (pair + 6, -farther, -nearer)]
+            if candidate & SURE != 0
+                && self.goal != Goal::All
+                && distance > bound
+                && distance < self.reach
+                && path | (candidate as u32 & 15) << (4 * level) != self.start
             {
-                if square + nearer < threshold {
-                    continue;
+                if self.goal == Goal::Any {
+                    return true;
                 }
-                let distance = node.foot_of(farther);
-                if distance + bound > 0 && distance - bound < reach {
-                    self.insert(first, farther & !15 | child);
-                }
+                self.reach = distance;
             }
+            insert(self.waiting, first, candidate & !SURE | (level << 4) as i32);
         }
-        // There is room: a level for each generation, twelve children each.
-        let _ = self.levels.push(Level { node, first });
+        false
     }
+}
 
-    /// Keeps the list from `first` on in falling order.
-    #[inline]
-    fn insert(&mut self, first: usize, child: i32) {
-        let mut lower = child;
-        for slot in self.children.iter_mut().skip(first) {
-            if *slot < lower {
-                swap(slot, &mut lower);
-            }
+/// Keeps the list from `first` on in falling order.
+#[inline]
+fn insert(waiting: &mut Waiting, first: usize, child: i32) {
+    let is_only = waiting.len() == first;
+    // There is room: each level has twelve children.
+    let _ = waiting.push(child);
+    if is_only {
+        return;
+    }
+    let mut slots = waiting.iter_mut().skip(first).rev();
+    let Some(mut lower) = slots.next() else {
+        return;
+    };
+    for slot in slots {
+        if *slot >= *lower {
+            break;
         }
-        let _ = self.children.push(lower);
+        swap(slot, lower);
+        lower = slot;
+    }
+}
+
+/// From the ray's origin to a child's foot, in steps of a `Length`.
+#[inline(always)]
+fn distance(parent: &Node, candidate: i32) -> i32 {
+    // Q30 * Q31 -> Q61 -> Q29 -> Q28
+    upper(parent.distance) + (upper_product(candidate, parent.radius.to_bits()) >> 1)
+}
+
+/// How far all of a child reaches from its foot, in steps of a `Length`,
+/// rounded up.
+#[inline(always)]
+fn reach_of_child(parent: &Node, flake: &Sphereflake) -> i32 {
+    let bound = parent.child_bound(flake).to_bits() + FARTHER_MARGIN;
+    // Q29 * Q31 -> Q60 -> Q28
+    upper_product(bound, parent.radius.to_bits()) + 3
+}
+
+/// Finds the children whose bound the ray's line may pass through, by products
+/// of 16 bits.
+///
+/// With child direction a, `step = 1 + ratio` and `b = step d·a`, the child's
+/// foot has the square `l² + step² - 2 step l·a - b²`. Children are six pairs of
+/// opposites, and the dot products share their terms.
+#[inline(always)]
+fn find(node: &Node, flake: &Sphereflake, squared: i32, candidates: &mut Candidates) {
+    let steps = &flake.steps;
+    // Q15 -> Q30 -> Q27
+    let square = |c: u32| ((c * c) >> 3) as i32;
+    // Q26 -> Q27
+    let squares = (squared << 1) + square(steps.along.to_bits().into());
+    let bound = (node.child_bound(flake).to_bits() >> 14) as u32 + 1;
+    let least = squares - square(bound) - SQUARE_MARGIN;
+    let sure = squares - square(flake.ratio.to_bits() >> 17) + SQUARE_MARGIN;
+    // Q30 -> Q14 -> Q29 -> Q14; Q29 -> Q13 -> Q28, and so twice of it in Q27.
+    let farther = steps.dots(node.direction.map(|c| c.to_bits() >> 16), 15);
+    let nearer = steps.dots(node.foot.map(|c| c.to_bits() >> 16), 0);
+    for ((pair, farther), nearer) in (1..).zip(farther).zip(nearer) {
+        // Q14 -> Q28 -> Q27
+        let square = (farther * farther) >> 1;
+        // Up to a step, which is in the margin.
+        let sign = nearer >> 31;
+        let nearer = nearer ^ sign;
+        if square + nearer < least {
+            continue;
+        }
+        let child = |sign: i32| ((farther ^ sign) << 16) + pair + (sign & 6);
+        let is_sure = if square + nearer > sure { SURE } else { 0 };
+        let _ = candidates.push(child(sign) | is_sure);
+        if square - nearer >= least {
+            let _ = candidates.push(child(!sign));
+        }
     }
 }
 
@@ -138,7 +184,7 @@ mod tests {
     /// What docs/fixed-point.md says; less where pointers are short.
     #[test]
     fn a_walk_takes_as_many_bytes_as_documented() {
-        let size = size_of::<Levels>() + size_of::<Children>();
-        assert!(size <= 800, "{size}");
+        let size = size_of::<Nodes>() + size_of::<Waiting>();
+        assert!(size <= 850, "{size}");
     }
 }
