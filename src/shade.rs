@@ -231,13 +231,16 @@ impl<'s> Surface<'s> {
         Factor::from_bits(((highlight + (1 << 15)) >> 16) as u16)
     }
 
-    /// The share of the mirrored ray and, if there is a transmitted one, its
-    /// share and direction.
+    /// What goes on from here.
     #[inline]
-    pub(crate) fn shares(&self) -> (Color<Factor>, Option<(Color<Factor>, Vec3<Unit>)>) {
-        let Material { kr, kt, .. } = self.material;
+    pub(crate) fn shares(&self) -> Shares {
+        let Material { kr, kt, .. } = *self.material;
+        let mut shares = Shares {
+            mirrored: kr,
+            transmitted: None,
+        };
         if kt.is_black() {
-            return (*kr, None);
+            return shares;
         }
         let direction = if self.open {
             Some(self.view)
@@ -245,10 +248,11 @@ impl<'s> Surface<'s> {
             self.refracted()
         };
         match direction {
-            Some(direction) => (*kr, Some((*kt, direction))),
+            Some(direction) => shares.transmitted = Some((kt, direction)),
             // Total internal reflection: a perfect mirror.
-            None => (Color::WHITE, None),
+            None => shares.mirrored = Color::WHITE,
         }
+        shares
     }
 
     #[cold]
@@ -283,6 +287,14 @@ impl<'s> Surface<'s> {
             },
         }
     }
+}
+
+/// The share of each ray that goes on from a hit.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Shares {
+    pub(crate) mirrored: Color<Factor>,
+    /// And where it goes, if there is one.
+    pub(crate) transmitted: Option<(Color<Factor>, Vec3<Unit>)>,
 }
 
 /// A cosine of 0 to 1 as a factor, rounded.

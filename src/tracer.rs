@@ -8,7 +8,7 @@ use crate::num::{Factor, Product, Radiance, Unit};
 use crate::observer::{Node, Observer, RayKind, share};
 use crate::prepared::{MAX_DEPTH, PreparedScene, Settings};
 use crate::ray::Ray;
-use crate::shade::Surface;
+use crate::shade::{Shares, Surface};
 use crate::vector::round_unit;
 
 /// Rays of one pixel, shadow rays apart, after which branches add black.
@@ -187,7 +187,10 @@ fn follow(
     stack: &mut Stack,
 ) -> bool {
     let from = branch.kin;
-    let (mirrored, transmitted) = surface.shares();
+    let Shares {
+        mirrored,
+        transmitted,
+    } = surface.shares();
     let mut goes_on = false;
     if let Some((share, direction)) = transmitted
         && let Some(kin) = from.child(share, RayKind::Transmitted, settings)

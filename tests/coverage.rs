@@ -1,6 +1,8 @@
 //! A line of a picture has the colors of its pixels, one by one: what a line
 //! passes over as out of view is met by no ray.
 
+#![allow(clippy::unwrap_used)]
+
 use embedded_graphics::geometry::Size;
 use fastrand::Rng;
 use whitted::{
