@@ -9,6 +9,7 @@ mod direction;
 mod flake;
 mod node;
 mod walk;
+mod word;
 
 pub(crate) use flake::{MAX_DEPTH, Parts, Path, Sphereflake};
 
@@ -16,8 +17,8 @@ use crate::Vec3;
 use crate::num::{Length, Product, Unit};
 use crate::observer::Observer;
 use crate::ray::{Ray, Start};
-use crate::vector::round_unit;
-use node::{Node, upper};
+use crate::vector::{high, round_unit};
+use node::Node;
 use walk::{Goal, Nodes, Waiting, Walk};
 
 /// Where a ray meets the flake first.
@@ -33,7 +34,7 @@ pub(crate) struct Meeting {
 impl Meeting {
     /// Rounded, and above 0.
     pub(crate) fn distance(&self) -> Length {
-        Length::from_bits(upper(self.distance + (1 << 31)).max(1))
+        Length::from_bits(high(self.distance + (1 << 31)).max(1))
     }
 }
 
@@ -142,7 +143,7 @@ impl Sphereflake {
             let half = node.half_chord();
             for past_foot in [-half, half] {
                 let distance = node.distance_to(past_foot);
-                if (1..reach).contains(&distance) && !visit(Length::from_bits(upper(distance))) {
+                if (1..reach).contains(&distance) && !visit(Length::from_bits(high(distance))) {
                     return 0;
                 }
                 if is_start {
@@ -199,7 +200,7 @@ impl Sphereflake {
             waiting: &mut waiting,
             goal,
             start,
-            reach: upper(reach),
+            reach: high(reach),
         };
         while let Some(node) = walk.nodes.last() {
             observer.sphere();
@@ -209,7 +210,7 @@ impl Sphereflake {
                 if reach <= 0 {
                     return true;
                 }
-                walk.reach = walk.reach.min(upper(reach));
+                walk.reach = walk.reach.min(high(reach));
             }
             if walk.descend(squared) {
                 return true;

@@ -3,8 +3,7 @@
 
 use crate::Vec3;
 use crate::num::{Product, Unit};
-
-use super::node::upper;
+use crate::vector::high;
 
 /// The smallest rotation that turns a parent's w to a child's direction a. It
 /// takes u to `u - a.u / (1 + a.w) (w + a)`, v likewise: symmetric but for its
@@ -78,7 +77,7 @@ pub(super) fn axis(child: u32) -> Vec3<Unit> {
 #[inline(always)]
 fn sum(products: [(i32, Unit); 3]) -> i32 {
     let [x, y, z] = products.map(|(c, factor)| c.product(factor.to_bits()));
-    upper(x + y + z) << 2
+    high(x + y + z) << 2
 }
 
 /// A vector of the parent's frame, in steps of any size, in the child's.

@@ -3,10 +3,11 @@ use fixed::types::I1F31;
 use crate::Vec3;
 use crate::num::{Product, Square, Unit, square_root, wide};
 use crate::ray::Ray;
-use crate::vector::round_unit;
+use crate::vector::{high, round_unit};
 
 use super::direction::{axis, inward};
 use super::flake::{Path, Radii, Sphereflake};
+use super::word::{upper_product, upper_shifted};
 
 /// A ray as a sphere of the flake sees it: in the sphere's frame and its radii.
 #[derive(Clone, Copy, Debug)]
@@ -22,24 +23,6 @@ pub(super) struct Node {
     pub(super) path: Path,
 }
 
-/// The upper word of a distance: in steps of a `Length`.
-#[inline(always)]
-pub(super) fn upper(distance: i64) -> i32 {
-    (distance >> 32) as i32
-}
-
-/// The upper word of `x << shift`, for shifts of 1 to 31.
-#[inline(always)]
-fn upper_shifted(x: i64, shift: u32) -> i32 {
-    upper(x) << (shift & 31) | (x as u32 >> (32_u32.wrapping_sub(shift) & 31)) as i32
-}
-
-/// The upper word of a product.
-#[inline(always)]
-pub(super) fn upper_product(a: i32, b: i32) -> i32 {
-    upper(a.product(b))
-}
-
 impl Node {
     /// The largest sphere, if the ray passes within its bound ahead, and up to
     /// `reach`.
@@ -53,7 +36,7 @@ impl Node {
         let radius = I1F31::from_bits((flake.radius.to_bits() >> 1) as i32);
         // Q29 * Q31 -> Q60 -> Q28
         let bound = upper_product(flake.bound.to_bits(), radius.to_bits()) + 1;
-        if distance + bound <= 0 || distance - bound > upper(reach) {
+        if distance + bound <= 0 || distance - bound > high(reach) {
             return None;
         }
         // Q56; the margin is what the direction's error can do to a distance.
@@ -112,8 +95,8 @@ impl Node {
     pub(super) fn is_within(&self, reach: i64) -> bool {
         // Q31 -> Q28, rounded up
         let radius = (self.radius.to_bits() >> 3) + 1;
-        let distance = upper(self.distance);
-        distance + radius >= 0 && distance - radius <= upper(reach)
+        let distance = high(self.distance);
+        distance + radius >= 0 && distance - radius <= high(reach)
     }
 
     /// From the ray's origin to so many radii past the foot, Q60 of the scene.
@@ -137,7 +120,7 @@ impl Node {
     /// radii of the parent, rounded up.
     #[inline(always)]
     pub(super) fn child_bound(&self, flake: &Sphereflake) -> Radii {
-        Radii::from_bits(self.bound.to_bits() - (flake.step().to_bits() >> 1) + 1)
+        Radii::from_bits(self.bound.to_bits() - (flake.step().to_bits() >> 1))
     }
 
     /// The same ray as a child sees it: the foot is taken anew, brought to the
@@ -150,10 +133,12 @@ impl Node {
         // How much farther the child's foot is: Q30 * Q30 -> Q30
         let farther = round_unit(step.product(direction.z).to_bits(), 30);
         // l - step a + farther d: Q29 -> Q60; Q30 * Q30 -> Q60 -> Q30
-        let foot = self.foot.map(|l| i64::from(l.to_bits()) << 31);
+        let foot = self
+            .foot
+            .map(|l| (i64::from(l.to_bits()) << 31) + (1 << 29));
         let foot = foot.zip(axis(child), |l, a| l + back.product(a).to_bits());
         let foot = foot.zip(self.direction, |l, d| {
-            ((l + farther.product(d).to_bits() + (1 << 29)) >> 30) as i32
+            ((l + farther.product(d).to_bits()) >> 30) as i32
         });
         // Q30 * Q30 -> Q60, and by the power of two -> Q29
         let inverse = flake.inverse_ratio.to_bits();

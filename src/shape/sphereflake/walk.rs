@@ -2,8 +2,11 @@ use core::mem::swap;
 
 use heapless::Vec;
 
+use crate::vector::high;
+
 use super::flake::{MAX_DEPTH, Path, Sphereflake};
-use super::node::{Node, upper, upper_product};
+use super::node::Node;
+use super::word::upper_product;
 
 /// The way of a ray through the tree of spheres, the nearer child first.
 ///
@@ -64,8 +67,8 @@ impl Walk<'_> {
         }
     }
 
-    /// Puts the children on the list whose bound the ray passes through within
-    /// reach. Tells whether the goal is reached, as one is hit for sure.
+    /// Lists the children whose bound the ray passes through within reach.
+    /// Tells whether the goal is reached, as one is hit for sure.
     #[inline]
     pub(super) fn descend(&mut self, squared: i64) -> bool {
         let level = self.nodes.len() as u32 - 1;
@@ -77,7 +80,7 @@ impl Walk<'_> {
         };
         let path = node.path;
         let mut candidates = Candidates::new();
-        find(node, self.flake, upper(squared), &mut candidates);
+        find(node, self.flake, high(squared), &mut candidates);
         let bound = reach_of_child(node, self.flake);
         let first = self.waiting.len();
         for &candidate in &candidates {
@@ -128,7 +131,7 @@ fn insert(waiting: &mut Waiting, first: usize, child: i32) {
 #[inline(always)]
 fn distance(parent: &Node, candidate: i32) -> i32 {
     // Q30 * Q31 -> Q61 -> Q29 -> Q28
-    upper(parent.distance) + (upper_product(candidate, parent.radius.to_bits()) >> 1)
+    high(parent.distance) + (upper_product(candidate, parent.radius.to_bits()) >> 1)
 }
 
 /// How far all of a child reaches from its foot, in steps of a `Length`,
@@ -179,12 +182,111 @@ fn find(node: &Node, flake: &Sphereflake, squared: i32, candidates: &mut Candida
 
 #[cfg(test)]
 mod tests {
+    use fixed::types::{I1F31, U0F32};
+
+    use super::super::flake::{Parts, Radii};
     use super::*;
+    use crate::Vec3;
+    use crate::num::{Length, Unit};
+    use crate::shape::sphereflake::direction::axis;
+    use crate::vector::{direction, high};
 
     /// What docs/fixed-point.md says; less where pointers are short.
     #[test]
     fn a_walk_takes_as_many_bytes_as_documented() {
         let size = size_of::<Nodes>() + size_of::<Waiting>();
         assert!(size <= 850, "{size}");
+    }
+
+    fn flake(ratio: f64, depth: u8) -> Sphereflake {
+        Sphereflake::new(Parts {
+            center: Vec3::new(Length::ZERO, Length::ZERO, Length::ZERO),
+            frame: [
+                Vec3::new(Unit::ONE, Unit::ZERO, Unit::ZERO),
+                Vec3::new(Unit::ZERO, Unit::ONE, Unit::ZERO),
+            ],
+            radius: U0F32::from_num(0.25),
+            ratio: U0F32::from_num(ratio),
+            depth,
+        })
+    }
+
+    /// A line that passes through the bound.
+    fn line(flake: &Sphereflake, random: &mut fastrand::Rng) -> Option<Node> {
+        let mut component = || random.i64(-(1 << 30)..1 << 30);
+        let along = direction(Vec3::new(component(), component(), component()))?;
+        let across =
+            direction(along.cross(direction(Vec3::new(component(), component(), component()))?))?;
+        let far = random.i32(0..flake.bound.to_bits());
+        Some(Node {
+            foot: across.map(|c| Radii::from_bits(upper_product(c.to_bits(), far) << 2)),
+            direction: along,
+            distance: 0,
+            radius: I1F31::from_num(0.25),
+            bound: flake.bound,
+            path: 0,
+        })
+    }
+
+    /// No child is missed, and none is said to be hit that is not.
+    #[test]
+    fn sixteen_bits_are_enough() {
+        let mut random = fastrand::Rng::with_seed(1);
+        let mut seen = [0; 3];
+        for (ratio, depth) in [
+            (0.1, 1),
+            (0.1, 3),
+            (1.0 / 3.0, 1),
+            (1.0 / 3.0, 6),
+            (0.5, 1),
+            (0.5, 8),
+        ] {
+            let flake = flake(ratio, depth);
+            for _ in 0..20_000 {
+                let Some(node) = line(&flake, &mut random) else {
+                    continue;
+                };
+                let mut candidates = Candidates::new();
+                find(&node, &flake, high(node.squared()), &mut candidates);
+                let step = 1.0 + ratio;
+                let bound: f64 = node.child_bound(&flake).to_num();
+                for child in 1..=12 {
+                    let axis = axis(child).map(Unit::to_num::<f64>);
+                    let along = |v: Vec3<f64>| {
+                        let product = v.zip(axis, |c, a| c * a);
+                        step * (product.x + product.y + product.z)
+                    };
+                    let foot = node.foot.map(|c| c.to_num::<f64>());
+                    let farther = along(node.direction.map(|c| c.to_num::<f64>()));
+                    let square = foot.map(|c| c * c);
+                    let square = square.x + square.y + square.z + step * step
+                        - 2.0 * along(foot)
+                        - farther * farther;
+                    let it = candidates.iter().find(|it| **it as u32 & 15 == child);
+                    let is_met = square < bound * bound;
+                    let is_sure = it.is_some_and(|it| it & SURE != 0);
+                    assert!(
+                        it.is_some() || !is_met,
+                        "{ratio}, {depth}, {child}: {node:?}"
+                    );
+                    assert!(
+                        !is_sure || square < ratio * ratio,
+                        "{ratio}, {child}: {node:?}"
+                    );
+                    if let Some(it) = it {
+                        let error = f64::from(it >> 16) / 16384.0 - farther;
+                        let margin = f64::from(FARTHER_MARGIN) / f64::from(1 << 29);
+                        assert!(error.abs() < margin, "{ratio}, {child}: {error}");
+                    }
+                    for (count, is) in seen.iter_mut().zip([it.is_some(), is_met, is_sure]) {
+                        *count += u32::from(is);
+                    }
+                }
+            }
+        }
+        let [found, met, sure] = seen;
+        assert!(met > 100_000 && sure > 10_000, "{seen:?}");
+        // Little is visited in vain.
+        assert!(found < met + met / 20, "{seen:?}");
     }
 }
