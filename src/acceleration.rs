@@ -12,15 +12,15 @@ use crate::ray::Point;
 use crate::shape::{Around, Bound, Shape, Sight};
 use crate::vector::round_length;
 
-/// Where the bounds of the objects are kept, as long as the list of objects.
-pub(crate) struct Bounds<'b> {
+/// The lists that tell where to look for objects, each as long as theirs.
+pub(crate) struct Index<'b> {
     pub(crate) finite: &'b mut VecView<Around>,
     pub(crate) endless: &'b mut VecView<u16>,
     pub(crate) eye: &'b mut VecView<Bound>,
 }
 
-impl Bounds<'_> {
-    /// Bounds all objects.
+impl Index<'_> {
+    /// Lists all objects.
     pub(crate) fn fill(self, objects: &[Object], camera: &Camera) {
         self.finite.clear();
         self.endless.clear();

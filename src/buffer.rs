@@ -2,7 +2,7 @@
 
 use heapless::Vec;
 
-use crate::acceleration::{Bounds, dimmest, look};
+use crate::acceleration::{Index, dimmest, look};
 use crate::error::Full;
 use crate::prepared::{Light, Material, Object, Room, Settings, Sights};
 use crate::shape::{Around, Bound, Sight};
@@ -83,12 +83,12 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize>
     }
 
     fn scene(&mut self, settings: Settings) -> PreparedScene<'_> {
-        let bounds = Bounds {
+        let index = Index {
             finite: self.finite.as_mut_view(),
             endless: self.endless.as_mut_view(),
             eye: self.eye.as_mut_view(),
         };
-        bounds.fill(&self.objects, &settings.camera);
+        index.fill(&self.objects, &settings.camera);
         for (light, sights) in self.lights.iter_mut().zip(&mut self.sights) {
             look(light, &self.objects, sights);
         }
