@@ -3,16 +3,21 @@ use std::mem::{align_of, size_of};
 use whitted::SceneBuffer;
 
 /// The bytes of a `SceneBuffer` that just holds so many objects, lights and
-/// materials: so many for each, and for each object that a light sees.
+/// materials: so many for each, and for each object that a light sees. Padding
+/// between its lists may add 8.
 pub(crate) fn memory([objects, lights, materials]: [usize; 3]) -> usize {
     let empty = size_of::<SceneBuffer<0, 0, 0>>();
-    let object = (size_of::<SceneBuffer<10, 0, 0>>() - empty) / 10;
-    let light = (size_of::<SceneBuffer<0, 10, 0>>() - empty) / 10;
-    let material = (size_of::<SceneBuffer<0, 0, 10>>() - empty) / 10;
-    let both = size_of::<SceneBuffer<10, 10, 0>>() - empty;
-    let seen = (both - 10 * (object + light)) / 100;
-    let all = empty + objects * object + lights * (light + objects * seen) + materials * material;
-    all.next_multiple_of(align_of::<SceneBuffer<1, 1, 1>>())
+    let object = (size_of::<SceneBuffer<8, 0, 0>>() - empty) / 8;
+    let light = (size_of::<SceneBuffer<0, 8, 0>>() - empty) / 8;
+    let material = (size_of::<SceneBuffer<0, 0, 8>>() - empty) / 8;
+    let both = size_of::<SceneBuffer<8, 8, 0>>() - empty;
+    let seen = (both - 8 * (object + light)) / 64;
+    let padded = |bytes: usize| bytes.next_multiple_of(align_of::<SceneBuffer<1, 1, 1>>());
+    empty
+        + padded(objects * object)
+        + padded(lights * light)
+        + padded(lights * objects * seen)
+        + padded(materials * material)
 }
 
 #[cfg(test)]
@@ -23,5 +28,7 @@ mod tests {
     fn the_formula_is_that_of_the_buffer() {
         assert_eq!(memory([7, 3, 5]), size_of::<SceneBuffer<7, 3, 5>>());
         assert_eq!(memory([0, 2, 0]), size_of::<SceneBuffer<0, 2, 0>>());
+        assert_eq!(memory([64, 8, 64]), size_of::<SceneBuffer<64, 8, 64>>());
+        assert_eq!(memory([5, 1, 3]) + 8, size_of::<SceneBuffer<5, 1, 3>>());
     }
 }
