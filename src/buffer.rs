@@ -2,7 +2,7 @@
 
 use heapless::Vec;
 
-use crate::acceleration::{Index, dimmest, look};
+use crate::acceleration::{Index, look};
 use crate::error::Full;
 use crate::prepared::{Light, Material, Object, Room, Settings, Sights};
 use crate::shape::{Around, Bound, Sight};
@@ -90,7 +90,7 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize>
         };
         index.fill(&self.objects, &settings.camera);
         for (light, sights) in self.lights.iter_mut().zip(&mut self.sights) {
-            look(light, &self.objects, sights);
+            look(light, &self.objects, &self.endless, sights);
         }
         PreparedScene {
             sights: Sights {
@@ -129,11 +129,9 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize> Room
             .map_err(|_| Full::new("lights", LIGHTS))
     }
 
-    fn push_material(&mut self, mut material: Material) -> Result<(), Full> {
-        material.dimmest = dimmest(material.shininess);
-        material.branches = !material.kr.is_black() || !material.kt.is_black();
+    fn push_material(&mut self, material: Material) -> Result<(), Full> {
         self.materials
-            .push(material)
+            .push(material.complete())
             .map_err(|_| Full::new("materials", MATERIALS))
     }
 }
