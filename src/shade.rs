@@ -63,12 +63,6 @@ impl<'s> Surface<'s> {
             }
         };
         let material = scene.material(object.texture.material(point));
-        // Refraction magnifies what the length of a normal is off.
-        let normal = if material.kt.is_black() {
-            normal
-        } else {
-            normal.renormalized()
-        };
         let cosine = ray.direction.cosine(normal);
         start.inward = cosine > Unit::ZERO;
         Self {
