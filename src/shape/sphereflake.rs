@@ -60,8 +60,8 @@ impl Sphereflake {
             if node.path == start || !node.is_within(reach) {
                 return reach;
             }
-            let half = node.half_chord();
-            for past_foot in [-half, half] {
+            let [entry, _, exit] = node.chord();
+            for past_foot in [entry, exit] {
                 let distance = node.distance_to(past_foot);
                 if distance > 0 {
                     if distance < reach {
@@ -91,10 +91,11 @@ impl Sphereflake {
             left >>= 4;
             generation += 1;
         }
+        let [_, middle, exit] = node.chord();
         Some(Meeting {
-            distance: (2 * node.distance).max(0),
+            distance: (2 * node.distance_to(middle)).max(0),
             path,
-            normal: node.normal(node.half_chord()),
+            normal: node.normal(exit),
         })
     }
 
@@ -140,8 +141,8 @@ impl Sphereflake {
             if is_left || !node.is_within(reach) {
                 return reach;
             }
-            let half = node.half_chord();
-            for past_foot in [-half, half] {
+            let [entry, _, exit] = node.chord();
+            for past_foot in [entry, exit] {
                 let distance = node.distance_to(past_foot);
                 if (1..reach).contains(&distance) && !visit(Length::from_bits(high(distance))) {
                     return 0;

@@ -30,8 +30,8 @@ impl Node {
     pub(super) fn largest(flake: &Sphereflake, ray: &Ray, reach: i64) -> Option<Self> {
         let d = ray.direction;
         let offset = ray.origin.coordinates - flake.center;
-        // What is rounded away moves the foot along the ray, where it does no
-        // harm: Q28 * Q30 -> Q58 -> Q28.
+        // What is rounded away moves the foot along the ray, and is made good
+        // where a sphere is met: Q28 * Q30 -> Q58 -> Q28.
         let distance = -(((offset.along(d).to_bits() + (1 << 29)) >> 30) as i32);
         let radius = I1F31::from_bits((flake.radius.to_bits() >> 1) as i32);
         // Q29 * Q31 -> Q60 -> Q28
@@ -55,9 +55,10 @@ impl Node {
             return None;
         }
         // In radii: by the power of two, Q58 -> Q29, then by what is left, 1 to 2.
+        // Each generation magnifies what is rounded here.
         let inverse = i64::from(flake.inverse_radius);
         let foot = foot.map(|c| {
-            let product = i64::from(upper_shifted(c, shift + 3)) * inverse;
+            let product = i64::from(upper_shifted(c + (1 << (28 - shift)), shift + 3)) * inverse;
             Radii::from_bits(((product + (1 << 30)) >> 31) as i32)
         });
         let node = Self {
@@ -82,12 +83,18 @@ impl Node {
         square.to_bits()
     }
 
-    /// Half of what the sphere cuts out of the ray's line; nothing where the
-    /// line passes by.
+    /// From the foot to the ends of what the sphere cuts out of the ray's line,
+    /// and in between to its middle; all of that is one where the line passes by.
+    ///
+    /// The foot is off along the ray by what was rounded on the way here.
     #[inline]
-    pub(super) fn half_chord(&self) -> Radii {
+    pub(super) fn chord(&self) -> [Radii; 3] {
         let rest = ((1_i64 << 58) - self.squared()).max(0);
-        Radii::from_bits(square_root(rest as u64) as i32)
+        let half = Radii::from_bits(square_root(rest as u64) as i32);
+        let Vec3 { x, y, z } = self.foot.zip(self.direction, |l, d| l.product(d));
+        // Q59 -> Q29
+        let middle = -Radii::from_bits(((x + y + z).to_bits() >> 30) as i32);
+        [middle - half, middle, middle + half]
     }
 
     /// Whether some of the sphere may be ahead and within reach.
