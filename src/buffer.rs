@@ -11,7 +11,7 @@ use crate::{DecodeError, PreparedScene, Real, Scene, SceneError, compiled, prepa
 /// Room for a prepared scene, in a `static` or on the stack: so many objects,
 /// lights and materials.
 ///
-/// An object takes 104 bytes, 38 more for its bounds and 16 for each light; a
+/// An object takes 112 bytes, 38 more for its bounds and 16 for each light; a
 /// light takes 28, a material 56.
 ///
 /// ```

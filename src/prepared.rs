@@ -208,7 +208,7 @@ mod tests {
     /// What the documentation of [`SceneBuffer`] says.
     #[test]
     fn items_take_as_many_bytes_as_documented() {
-        assert_eq!(size_of::<Object>(), 104);
+        assert_eq!(size_of::<Object>(), 112);
         assert_eq!(size_of::<Around>(), 20);
         assert_eq!(size_of::<Bound>(), 16);
         assert_eq!(size_of::<Sight>(), 16);

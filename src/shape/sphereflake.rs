@@ -14,10 +14,10 @@ mod word;
 pub(crate) use flake::{MAX_DEPTH, Parts, Path, Sphereflake};
 
 use crate::Vec3;
-use crate::num::{Length, Product, Unit};
+use crate::num::{Length, Unit};
 use crate::observer::Observer;
 use crate::ray::{Ray, Start};
-use crate::vector::{high, round_unit};
+use crate::vector::high;
 use node::Node;
 use walk::{Goal, Nodes, Waiting, Walk};
 
@@ -162,18 +162,7 @@ impl Sphereflake {
         for generation in (0..generations).rev() {
             normal = direction::outward(normal, meeting.path >> (4 * generation) & 15);
         }
-        let normal = normal.map(Unit::from_bits);
-        let Vec3 { x: u, y: v, z: w } = self.axes;
-        let along = |u: Unit, v: Unit, w: Unit| {
-            let sum = u.product(normal.x) + v.product(normal.y) + w.product(normal.z);
-            round_unit(sum.to_bits(), 30)
-        };
-        Vec3::new(
-            along(u.x, v.x, w.x),
-            along(u.y, v.y, w.y),
-            along(u.z, v.z, w.z),
-        )
-        .renormalized()
+        self.outward(normal.map(Unit::from_bits)).renormalized()
     }
 
     /// Visits the spheres that the line of a ray passes through ahead of it,
