@@ -36,6 +36,7 @@
 //! so.
 
 mod acceleration;
+mod antialias;
 mod budget;
 mod buffer;
 mod camera;
@@ -62,6 +63,7 @@ mod texture;
 mod tracer;
 mod vector;
 
+pub use antialias::{AntialiasError, Antialiased, Sample, Samples};
 pub use buffer::SceneBuffer;
 pub use checksum::Crc32;
 pub use color::Color;
