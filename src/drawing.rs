@@ -16,10 +16,10 @@ const COARSEST: u8 = 16;
 /// How far a picture, or an area of it, is drawn: what
 /// [`Renderer::step`](crate::Renderer::step) goes on from.
 ///
-/// It is plain data of 14 bytes that knows neither the renderer nor the display. Between steps it can be
-/// kept, moved, copied or dropped, with or without the renderer; whoever has a copy
-/// goes on from there. It belongs to one picture: the same scene, size and
-/// display.
+/// It is plain data of 14 bytes that knows neither the renderer nor the display.
+/// Between steps it can be kept, moved, copied or dropped, with or without the
+/// renderer; whoever has a copy goes on from there. It belongs to one picture: the
+/// same scene, size and display.
 ///
 /// Whatever else is to be done is done between steps. On a microcontroller:
 ///
@@ -124,9 +124,9 @@ impl Drawing {
         self.block == 0
     }
 
-    /// The side of the blocks of this pass.
-    pub(crate) fn block(&self) -> u8 {
-        self.block
+    /// The side of the blocks that are next, in pixels; 0 if all is drawn.
+    pub fn block(&self) -> u32 {
+        self.block.into()
     }
 
     /// What is next in a picture of `size`.
