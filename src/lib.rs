@@ -33,13 +33,14 @@
 //!
 //! To read the code, follow the data: `scene` (what is written down), `prepare`
 //! (checks and scale), `camera`, `ray`, `shape`, `intersect`, `shade`, `tracer`,
-//! `raster`, `pixel`, `drawing`, `renderer`. `num` has the formats, docs/fixed-point.md why they are
+//! `raster`, `pixel`, `drawing`, `renderer`, `changes`. `num` has the formats, docs/fixed-point.md why they are
 //! so.
 
 mod acceleration;
 mod budget;
 mod buffer;
 mod camera;
+mod changes;
 mod checksum;
 mod color;
 mod compiled;
@@ -65,6 +66,7 @@ mod tracer;
 mod vector;
 
 pub use buffer::SceneBuffer;
+pub use changes::Changes;
 pub use checksum::Crc32;
 pub use color::Color;
 pub use compiled::counts;

@@ -118,7 +118,7 @@ pub(crate) struct Counting<'o, O> {
 impl<O: Observer> Observer for Counting<'_, O> {
     #[inline(always)]
     fn ray(&mut self, kind: RayKind) {
-        self.rays = self.rays.saturating_add(1);
+        self.rays = self.rays.wrapping_add(1);
         self.observer.ray(kind);
     }
 

@@ -47,8 +47,9 @@ impl<O: Observer> Renderer<'_, O> {
     /// `draw_iter`. A step that ends within a line by its budget of rays ends the
     /// colors of that call early.
     ///
-    /// The step is inlined, so that one known at compile time brings only its own code:
-    /// [`Step::Rays`] has a copy of the ray tracer of its own, which counts.
+    /// This is inlined, so that a step known at compile time brings only its own
+    /// code: [`Step::Rays`] has a copy of the ray tracer of its own, 10 KB of
+    /// flash, which takes 3 % more instructions for counting.
     ///
     /// # Errors
     /// The display's own, at once. The drawing is then where the last call that
@@ -214,6 +215,7 @@ struct Within<'r, 'o, O> {
 impl<O: Observer> Iterator for Within<'_, '_, O> {
     type Item = (u32, Color<Radiance>);
 
+    #[inline(always)]
     fn next(&mut self) -> Option<Self::Item> {
         self.is_spent = self.pixels.observer.rays >= self.budget;
         if self.is_spent {

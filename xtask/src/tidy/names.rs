@@ -7,9 +7,10 @@ use super::Complaint;
 use super::tokens::Source;
 
 /// Where colors become pixels, and lines meet a DrawTarget.
-const DISPLAY_FILES: [&str; 4] = [
+const DISPLAY_FILES: [&str; 5] = [
     "src/pixel.rs",
     "src/drawing.rs",
+    "src/changes.rs",
     "src/renderer.rs",
     "src/renderer/display.rs",
 ];
