@@ -26,7 +26,7 @@
 //! # Ok::<(), whitted::SceneError>(())
 //! ```
 //!
-//! All arithmetic is 32-bit fixed point with 64-bit products: no floats, so
+//! All that draws is 32-bit fixed point with 64-bit products: no floats, so
 //! every target draws the same bits. Nothing allocates, nothing panics, and the
 //! tree of rays is walked by a stack of constant size.
 //!
@@ -36,6 +36,7 @@
 //! so.
 
 mod acceleration;
+mod angle;
 mod budget;
 mod buffer;
 mod camera;

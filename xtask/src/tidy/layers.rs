@@ -13,7 +13,7 @@ use imports::{Import, Path, imports};
 #[rustfmt::skip]
 const LAYERS: &[&str] = &[
     // Numbers.
-    "num", "vector", "color", "checksum", "optics",
+    "num", "vector", "angle", "color", "checksum", "optics",
     // What a person writes down.
     "error", "scene",
     // What is traced, scaled.
