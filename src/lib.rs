@@ -37,6 +37,7 @@
 
 mod acceleration;
 mod angle;
+mod animation;
 mod budget;
 mod buffer;
 mod camera;
@@ -62,6 +63,9 @@ mod texture;
 mod tracer;
 mod vector;
 
+pub use animation::{
+    Animation, AnimationError, AnimationProblem, Interpolation, Key, Stage, Target, Track,
+};
 pub use buffer::SceneBuffer;
 pub use checksum::Crc32;
 pub use color::Color;

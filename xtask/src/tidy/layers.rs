@@ -15,7 +15,7 @@ const LAYERS: &[&str] = &[
     // Numbers.
     "num", "vector", "angle", "color", "checksum", "optics",
     // What a person writes down.
-    "error", "scene",
+    "error", "scene", "animation",
     // What is traced, scaled.
     "observer", "ray", "texture", "shape", "prepared", "acceleration", "camera", "coverage",
     // From the one to the other.
