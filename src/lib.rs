@@ -27,7 +27,7 @@
 //! # Ok::<(), whitted::SceneError>(())
 //! ```
 //!
-//! All arithmetic is 32-bit fixed point with 64-bit products: no floats, so
+//! All that draws is 32-bit fixed point with 64-bit products: no floats, so
 //! every target draws the same bits. Nothing allocates, nothing panics, and the
 //! tree of rays is walked by a stack of constant size.
 //!
@@ -37,6 +37,8 @@
 //! so.
 
 mod acceleration;
+mod angle;
+mod animation;
 mod budget;
 mod buffer;
 mod camera;
@@ -65,6 +67,9 @@ mod texture;
 mod tracer;
 mod vector;
 
+pub use animation::{
+    Animation, AnimationError, AnimationProblem, Interpolation, Key, Stage, Target, Track,
+};
 pub use buffer::SceneBuffer;
 pub use changes::Changes;
 pub use checksum::Crc32;

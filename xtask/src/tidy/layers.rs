@@ -13,9 +13,9 @@ use imports::{Import, Path, imports};
 #[rustfmt::skip]
 const LAYERS: &[&str] = &[
     // Numbers.
-    "num", "vector", "color", "checksum", "optics",
+    "num", "vector", "angle", "color", "checksum", "optics",
     // What a person writes down.
-    "error", "scene",
+    "error", "scene", "animation",
     // What is traced, scaled.
     "observer", "ray", "texture", "shape", "prepared", "acceleration", "camera", "coverage",
     // From the one to the other.

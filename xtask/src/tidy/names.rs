@@ -1,5 +1,5 @@
-//! What the library must not contain: floats, panics, `unsafe`; and where
-//! alone it may name the crate of the displays.
+//! What the library must not contain: panics, `unsafe`; and where alone it may
+//! use floats, and name the crate of the displays.
 
 use std::path::Path;
 
@@ -15,6 +15,9 @@ const DISPLAY_FILES: [&str; 5] = [
     "src/renderer/display.rs",
 ];
 
+/// Where angles become sines and cosines, by micromath.
+const FLOAT_FILE: &str = "src/angle.rs";
+
 const PANICKING_METHODS: [&str; 4] = ["unwrap", "expect", "unwrap_err", "expect_err"];
 const PANICKING_MACROS: [&str; 4] = ["panic", "todo", "unimplemented", "unreachable"];
 
@@ -27,7 +30,8 @@ pub(super) fn check(source: &Source) -> Vec<Complaint> {
 fn complaint(source: &Source, index: usize) -> Option<&'static str> {
     let text = source.text(index);
     let after_dot = source.before(index, 1) == "." && source.before(index, 2) != ".";
-    if text == "f32" || text == "f64" || (is_float(text) && !after_dot) {
+    let is_float = text == "f32" || text == "f64" || (is_float(text) && !after_dot);
+    if is_float && source.path != Path::new(FLOAT_FILE) {
         return Some("floating point: every target must compute the same");
     }
     if text == "unsafe" {
@@ -108,6 +112,7 @@ mod tests {
         ] {
             assert_eq!(complaints("src/shade.rs", text), [""; 0], "{text}");
         }
+        assert_eq!(complaints("src/angle.rs", "fn f(x: f32) {}"), [""; 0]);
         let display = "use embedded_graphics_core::prelude::*;";
         assert_eq!(complaints("src/pixel.rs", display), [""; 0]);
     }
