@@ -249,7 +249,8 @@ fn both_orders_end_with_the_picture_and_trace_each_pixel_once() {
                 assert_eq!(screen.shown.len(), points.len(), "{area:?}");
                 for point in &points {
                     let color = single.pixel(point.x as u32, point.y as u32);
-                    let expected: Rgb888 = whitted::Pixel::from_linear(color);
+                    let expected: Rgb888 =
+                        whitted::Pixel::show(color, Point::zero(), whitted::Output::default());
                     assert_eq!(screen.shown[point], expected, "{area:?} {point}");
                 }
             }

@@ -2,15 +2,17 @@
 
 use std::time::Duration;
 
-use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray4, Gray8, Rgb565, Rgb888};
+use embedded_graphics::pixelcolor::{
+    BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666, Rgb888,
+};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics_simulator::{OutputImage, OutputSettings, SimulatorDisplay};
-use whitted::{Drawing as Steps, PreparedScene, Renderer, Step};
+use whitted::{Drawing as Steps, Output, PreparedScene, Renderer, Step};
 
 use whitted_sim::cost::Work;
 
-use crate::args::{Format, Order, Passes};
+use crate::args::{Format, Order, Passes, Shown};
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 
@@ -21,29 +23,38 @@ pub(crate) struct Drawing {
     pub(crate) time: Duration,
 }
 
-/// Draws on a display of the format.
+/// Draws on a display.
 pub(crate) fn draw(
     scene: &PreparedScene<'_>,
     size: Size,
-    format: Format,
+    shown: Shown,
     passes: Passes,
 ) -> Outcome<Drawing> {
-    match format {
-        Format::Rgb888 => on_display::<Rgb888>(scene, size, passes),
-        Format::Rgb565 => on_display::<Rgb565>(scene, size, passes),
-        Format::Gray8 => on_display::<Gray8>(scene, size, passes),
-        Format::Gray4 => on_display::<Gray4>(scene, size, passes),
-        Format::Gray2 => on_display::<Gray2>(scene, size, passes),
-        Format::Bw => on_display::<BinaryColor>(scene, size, passes),
-    }
+    let draw = match shown.format {
+        Format::Rgb888 => on_display::<Rgb888>,
+        Format::Rgb666 => on_display::<Rgb666>,
+        Format::Rgb565 => on_display::<Rgb565>,
+        Format::Rgb555 => on_display::<Rgb555>,
+        Format::Gray8 => on_display::<Gray8>,
+        Format::Gray4 => on_display::<Gray4>,
+        Format::Gray2 => on_display::<Gray2>,
+        Format::Binary => on_display::<BinaryColor>,
+    };
+    draw(scene, size, shown.output(), passes)
 }
 
-fn on_display<C>(scene: &PreparedScene<'_>, size: Size, passes: Passes) -> Outcome<Drawing>
+fn on_display<C>(
+    scene: &PreparedScene<'_>,
+    size: Size,
+    output: Output,
+    passes: Passes,
+) -> Outcome<Drawing>
 where
     C: PixelColor + whitted::Pixel + From<BinaryColor> + Into<Rgb888>,
 {
     let mut display = SimulatorDisplay::<C>::new(size);
     let mut renderer = Renderer::with_observer(scene, size, Work::new(scene));
+    renderer.set_output(output);
     let area = Rectangle::new(Point::zero(), size);
     let (mut steps, blocks): (_, &[u32]) = match passes.order {
         Order::Scanlines => (Steps::scanlines(area), &[1]),

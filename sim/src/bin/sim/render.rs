@@ -6,7 +6,7 @@ use embedded_graphics::geometry::Size;
 use whitted_sim::scene_file::Buffer;
 use whitted_sim::{png16, render as library};
 
-use crate::args::{Format, Passes, Render};
+use crate::args::{Passes, Render, Shown};
 use crate::draw::draw;
 use crate::linear::linear;
 use crate::open::Scene;
@@ -21,7 +21,7 @@ pub(crate) fn default_scene() -> Outcome {
     let drawing = draw(
         &prepared,
         Size::new(320, 240),
-        Format::default(),
+        Shown::default(),
         Passes::default(),
     )?;
     terminal::show(&drawing.image)?;
@@ -48,7 +48,7 @@ pub(crate) fn render(options: &Render) -> Outcome {
         }
         library::checksum(&linear.picture)
     } else {
-        let drawing = draw(&prepared, size, options.format, options.passes)?;
+        let drawing = draw(&prepared, size, options.shown, options.passes)?;
         report::save(&drawing.image, &output)?;
         if !options.stats {
             return Ok(());
