@@ -2,18 +2,17 @@
 
 use std::time::Duration;
 
-use embedded_graphics::pixelcolor::{
-    BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666, Rgb888,
-};
+use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
-use embedded_graphics_simulator::{OutputImage, OutputSettings, SimulatorDisplay};
-use whitted::{Drawing as Steps, Output, PreparedScene, Renderer, Step};
+use embedded_graphics_simulator::{OutputImage, OutputSettings};
+use whitted::{Drawing as Steps, PreparedScene, Renderer, Step};
 
 use whitted_sim::cost::Work;
 
-use crate::args::{Format, Order, Passes, Shown};
+use crate::args::{Order, Passes, Shown};
 use crate::outcome::Outcome;
+use crate::panel::Panel;
 use crate::progress::Progress;
 
 /// A display's picture and what it took.
@@ -30,31 +29,9 @@ pub(crate) fn draw(
     shown: Shown,
     passes: Passes,
 ) -> Outcome<Drawing> {
-    let draw = match shown.format {
-        Format::Rgb888 => on_display::<Rgb888>,
-        Format::Rgb666 => on_display::<Rgb666>,
-        Format::Rgb565 => on_display::<Rgb565>,
-        Format::Rgb555 => on_display::<Rgb555>,
-        Format::Gray8 => on_display::<Gray8>,
-        Format::Gray4 => on_display::<Gray4>,
-        Format::Gray2 => on_display::<Gray2>,
-        Format::Binary => on_display::<BinaryColor>,
-    };
-    draw(scene, size, shown.output(), passes)
-}
-
-fn on_display<C>(
-    scene: &PreparedScene<'_>,
-    size: Size,
-    output: Output,
-    passes: Passes,
-) -> Outcome<Drawing>
-where
-    C: PixelColor + whitted::Pixel + From<BinaryColor> + Into<Rgb888>,
-{
-    let mut display = SimulatorDisplay::<C>::new(size);
+    let mut panel = Panel::new(size, shown.format);
     let mut renderer = Renderer::with_observer(scene, size, Work::new(scene));
-    renderer.set_output(output);
+    renderer.set_output(shown.output());
     let area = Rectangle::new(Point::zero(), size);
     let (mut steps, blocks): (_, &[u32]) = match passes.order {
         Order::Scanlines => (Steps::scanlines(area), &[1]),
@@ -64,12 +41,14 @@ where
     let finest = blocks.clone().min().copied().unwrap_or(1);
     let mut progress = Progress::new(blocks.map(|block| size.height.div_ceil(*block)).sum());
     while steps.block() >= finest {
-        renderer.step(&mut steps, Step::Line, &mut display)?;
+        renderer.step(&mut steps, Step::Line, &mut panel)?;
         progress.line();
     }
     let time = progress.finish();
     // The default settings show the display's values as they are.
-    let image = display.to_rgb_output_image(&OutputSettings::default());
+    let image = panel
+        .display
+        .to_rgb_output_image(&OutputSettings::default());
     Ok(Drawing {
         image,
         work: renderer.observer().clone(),

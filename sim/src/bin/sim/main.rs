@@ -13,6 +13,7 @@ mod linear;
 mod memory;
 mod open;
 mod outcome;
+mod panel;
 mod progress;
 mod render;
 mod report;
