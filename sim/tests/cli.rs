@@ -139,6 +139,38 @@ fn passes_end_with_the_picture() -> Outcome {
 }
 
 #[test]
+fn displays_are_listed_and_drawn_on() -> Outcome {
+    let here = Directory::new("displays")?;
+    let list = here.ok(&["displays"])?;
+    assert_eq!(list.lines().count(), 7, "{list}");
+    for line in list.lines() {
+        let [name, size] = [0, 1].map(|column| line.split_whitespace().nth(column));
+        let (name, size) = (name.ok_or(line)?, size.ok_or(line)?);
+        here.ok(&["render", "whitted", "--display", name, "-o", "display.png"])?;
+        let picture = png16::read(here.0.join("display.png"))?;
+        assert_eq!(format!("{}x{}", picture.width, picture.height), size);
+    }
+    Ok(())
+}
+
+#[test]
+fn a_display_has_its_own_colors_and_scale() -> Outcome {
+    let here = Directory::new("display")?;
+    let args = ["render", "whitted", "--display", "ssd1306", "--scale", "2"];
+    here.ok(&args)?;
+    let picture = png16::read(here.0.join("whitted.png"))?;
+    assert_eq!((picture.width, picture.height), (256, 128));
+    let color = |rgb: [u16; 3]| rgb.map(|channel| 257 * channel);
+    let blues = [[0, 20, 40], [0, 210, 255]].map(color);
+    let mut pixels = picture
+        .pixels
+        .iter()
+        .map(|pixel| [pixel.r, pixel.g, pixel.b]);
+    assert!(pixels.all(|pixel| blues.contains(&pixel)));
+    Ok(())
+}
+
+#[test]
 fn a_compiled_scene_renders_the_same() -> Outcome {
     let here = Directory::new("compiled")?;
     here.ok(&["compile", "four_spheres", "-o", "four.scene"])?;
@@ -276,7 +308,7 @@ fn bad_input_is_refused() -> Outcome {
     let here = Directory::new("bad")?;
     fs::write(here.0.join("bad.toml"), "colour = 1\n")?;
     fs::write(here.0.join("bad.scene"), [0xff, 0xfe])?;
-    let cases: [(&[&str], &str); 18] = [
+    let cases: [(&[&str], &str); 20] = [
         (
             &["render", "bad.toml"],
             "error: bad.toml:1: colour: a scene has no such key\n  help: ",
@@ -322,6 +354,14 @@ fn bad_input_is_refused() -> Outcome {
         (
             &["render", "whitted", "--size", "2x2", "-o", "no/x.png"],
             "error: no/x.png: ",
+        ),
+        (
+            &["render", "whitted", "--display", "ssd1360"],
+            "error: invalid value 'ssd1360' for '--display <NAME>': did you mean `ssd1306`?",
+        ),
+        (
+            &["render", "whitted", "--display", "ssd1306", "--size", "9x9"],
+            "error: the argument '--display <NAME>' cannot be used with '--size <WxH>'",
         ),
         (
             &["explain", "whitted", "320", "0"],

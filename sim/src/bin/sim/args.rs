@@ -4,6 +4,8 @@ use clap::{Parser, Subcommand, ValueEnum, value_parser};
 use embedded_graphics::geometry::Size;
 use whitted::{Output, Real};
 
+use crate::display::Display;
+
 /// Renders scenes on the host, with the arithmetic of the microcontroller.
 ///
 /// Without a command: renders scenes/whitted.toml to whitted.png and shows it.
@@ -46,6 +48,8 @@ pub(crate) enum Command {
     Explain(Explain),
     /// Render scenes into a directory, with a page to look at them.
     Gallery(Gallery),
+    /// List the displays that `render` and `view` know.
+    Displays,
     /// Show a scene in a window (needs the feature `window`).
     View(View),
 }
@@ -66,6 +70,19 @@ pub(crate) struct Render {
     /// Write linear colors, 16 bits a channel, in place of a display's.
     #[arg(long, conflicts_with_all = ["format", "dither", "transfer", "order", "most"])]
     pub(crate) linear16: bool,
+    /// A display to show it on, with that one's size, pixels and colors: see `displays`.
+    #[arg(long, value_name = "NAME", value_parser = Display::named)]
+    #[arg(conflicts_with_all = ["size", "format", "linear16"])]
+    pub(crate) display: Option<Display>,
+    /// How many pixels of the PNG a display's pixel is wide and high.
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 1,
+        conflicts_with = "linear16"
+    )]
+    #[arg(value_parser = value_parser!(u32).range(1..=16))]
+    pub(crate) scale: u32,
     /// Print rays, intersection tests, time, what microcontrollers would take, and checksum.
     #[arg(long)]
     pub(crate) stats: bool,
@@ -107,7 +124,7 @@ pub(crate) struct View {
 }
 
 /// What a rendering costs.
-#[derive(clap::Args)]
+#[derive(Clone, Copy, clap::Args)]
 pub(crate) struct Quality {
     /// Width and height in pixels.
     #[arg(long, value_name = "WxH", default_value = "320x240", value_parser = size)]
@@ -174,7 +191,7 @@ impl Default for Passes {
     }
 }
 
-#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Order {
     /// Line by line, from the top.
     #[default]
@@ -184,7 +201,7 @@ pub(crate) enum Order {
 }
 
 /// The color formats of displays. The order of channels changes no picture.
-#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Format {
     /// 24 bits.
     #[default]

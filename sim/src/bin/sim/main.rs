@@ -6,6 +6,7 @@
 mod args;
 mod boards;
 mod compare;
+mod display;
 mod draw;
 mod explain;
 mod gallery;
@@ -47,6 +48,10 @@ fn run(args: Args) -> Outcome {
         Some(Command::Compile { scene, output }) => scene::compile(&scene, &output),
         Some(Command::Explain(options)) => explain::explain(&options),
         Some(Command::Gallery(options)) => gallery::gallery(&options),
+        Some(Command::Displays) => {
+            display::list();
+            Ok(())
+        }
         Some(Command::View(options)) => view::view(&options),
     }
 }
