@@ -50,7 +50,7 @@ pub(crate) enum Command {
     Gallery(Gallery),
     /// List the displays that `render` and `view` know.
     Displays,
-    /// Show a scene in a window (needs the feature `window`).
+    /// Show scenes in a window, as displays show them (needs the feature `window`).
     View(View),
 }
 
@@ -116,9 +116,11 @@ pub(crate) struct Gallery {
 
 #[derive(clap::Args)]
 pub(crate) struct View {
-    /// A scene file, a compiled scene, or the name of a scene in scenes/.
-    #[arg(default_value = "whitted")]
-    pub(crate) scene: PathBuf,
+    /// Scene files, compiled scenes, or names of scenes in scenes/ [default: all of scenes/].
+    pub(crate) scenes: Vec<PathBuf>,
+    /// The display to begin with, in place of a plain one of the size: see `displays`.
+    #[arg(long, value_name = "NAME", value_parser = Display::named, conflicts_with = "size")]
+    pub(crate) display: Option<Display>,
     #[command(flatten)]
     pub(crate) quality: Quality,
 }

@@ -1,7 +1,7 @@
 //! The host simulator: renders scene files, compares pictures, explains pixels,
 //! checks and compiles scenes.
 //!
-//! args ── open (scene) ── draw or linear ──> PNG, terminal, window
+//! args ── open (scene) ── draw or linear ──> display ──> PNG, terminal, window
 
 mod args;
 mod boards;
@@ -12,6 +12,7 @@ mod explain;
 mod gallery;
 mod linear;
 mod memory;
+mod number;
 mod open;
 mod outcome;
 mod panel;

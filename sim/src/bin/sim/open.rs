@@ -3,6 +3,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+#[cfg(feature = "window")]
+use whitted::Camera;
 use whitted::{DecodeError, PreparedScene};
 use whitted_sim::scene_file::{self, Buffer, SceneFile};
 
@@ -20,15 +22,19 @@ pub(crate) enum Scene {
 impl Scene {
     /// Opens a path, or else what the project's scenes have by this name.
     pub(crate) fn open(path: &Path) -> Outcome<Self> {
-        let path = find(path)?;
+        Self::read(&find(path)?)
+    }
+
+    /// Reads the file of a scene.
+    pub(crate) fn read(path: &Path) -> Outcome<Self> {
         let name = path.display().to_string();
         if path
             .extension()
             .is_some_and(|extension| extension == "toml")
         {
-            return Ok(Self::file(scene_file::load(&path)?));
+            return Ok(Self::file(scene_file::load(path)?));
         }
-        let bytes = fs::read(&path).map_err(|error| format!("{name}: cannot be read: {error}"))?;
+        let bytes = fs::read(path).map_err(|error| format!("{name}: cannot be read: {error}"))?;
         // Anything that does not claim to be compiled is taken for text.
         match (decode(&bytes), std::str::from_utf8(&bytes)) {
             (Err(DecodeError::NotAScene), Ok(text)) => {
@@ -70,6 +76,15 @@ impl Scene {
             set.map_err(|error| format!("--min-weight {min_weight}: {}", error.problem))?;
         }
         Ok(scene)
+    }
+
+    /// The camera, to be moved; what is compiled has none as it was written.
+    #[cfg(feature = "window")]
+    pub(crate) fn camera(&self) -> Option<Camera> {
+        match self {
+            Self::File(file) => Some(file.settings.camera),
+            Self::Compiled { .. } => None,
+        }
     }
 
     /// What the scene calls itself.
@@ -119,7 +134,7 @@ pub(crate) fn all_scenes() -> Outcome<Vec<PathBuf>> {
 
 /// The path itself; or the same seen from the project's root; or a scene of
 /// that name in scenes/.
-fn find(path: &Path) -> Outcome<PathBuf> {
+pub(crate) fn find(path: &Path) -> Outcome<PathBuf> {
     let [root, scenes] = places();
     let mut named = scenes.join(path).into_os_string();
     named.push(".toml");
