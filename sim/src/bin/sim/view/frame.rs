@@ -54,11 +54,11 @@ impl Frame {
         renderer.set_output(output);
         let Ok(()) = renderer.step(&mut self.drawing, STEP, &mut self.panel);
         self.work = renderer.observer().clone();
-        self.display.cut(&mut self.panel.display);
     }
 
-    /// What is on the display, which may be looked at by the display's settings.
-    pub(super) fn picture(&self) -> (&SimulatorDisplay<Rgb888>, &Display) {
+    /// What is on the display so far, and which display it is.
+    pub(super) fn picture(&mut self) -> (&SimulatorDisplay<Rgb888>, &Display) {
+        self.display.cut(&mut self.panel.display);
         (&self.panel.display, &self.display)
     }
 

@@ -28,7 +28,7 @@ pub(crate) fn view(options: &View) -> Outcome {
     let mut changed = true;
     loop {
         if changed {
-            window.draw(&workbench);
+            window.draw(&mut workbench);
         }
         window.window.flush();
         changed = false;
@@ -85,7 +85,7 @@ impl Window {
     }
 
     /// Draws how things are.
-    fn draw(&mut self, workbench: &Workbench) {
+    fn draw(&mut self, workbench: &mut Workbench) {
         let (panel, display) = workbench.picture();
         let fits = self.room.component_div(panel.size());
         let settings = display.settings(fits.width.min(fits.height).max(1));

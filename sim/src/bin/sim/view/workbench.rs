@@ -65,7 +65,7 @@ impl Workbench {
     }
 
     /// What is on the display, and which display it is.
-    pub(super) fn picture(&self) -> (&SimulatorDisplay<Rgb888>, &Display) {
+    pub(super) fn picture(&mut self) -> (&SimulatorDisplay<Rgb888>, &Display) {
         self.frame.picture()
     }
 
@@ -190,8 +190,9 @@ impl Workbench {
 
     /// Saves the picture in the current directory, as the display shows it.
     fn save(&mut self) {
+        let scene = self.sources.current().name();
         let (picture, display) = self.picture();
-        let file = format!("{}-{}.png", self.sources.current().name(), display.name);
+        let file = format!("{scene}-{}.png", display.name);
         let image = picture.to_rgb_output_image(&display.settings(1));
         self.message = match image.save_png(&file) {
             Ok(()) => format!("wrote {file}"),
