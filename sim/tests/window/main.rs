@@ -8,7 +8,7 @@ mod shot;
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Child, Command};
+use std::process::{Child, Command, Stdio};
 
 use screen::{Outcome, Screen};
 use shot::Shot;
@@ -44,7 +44,7 @@ impl Directory {
 
     fn sim(&self, args: &[&str]) -> Command {
         let mut sim = Command::new(env!("CARGO_BIN_EXE_sim"));
-        sim.args(args).current_dir(&self.0);
+        sim.args(args).current_dir(&self.0).stdout(Stdio::null());
         sim
     }
 
