@@ -22,33 +22,44 @@ pub(crate) struct Drawing {
 
 /// Draws on a display of the format.
 pub(crate) fn draw(scene: &PreparedScene<'_>, size: Size, format: Format) -> Outcome<Drawing> {
+    let mut progress = Progress::new(size.height);
+    let (image, work) = frame(scene, size, format, &mut progress)?;
+    let time = progress.finish();
+    Ok(Drawing { image, work, time })
+}
+
+/// Draws on a display of the format, as a part of more work.
+pub(crate) fn frame(
+    scene: &PreparedScene<'_>,
+    size: Size,
+    format: Format,
+    progress: &mut Progress,
+) -> Outcome<(OutputImage<Rgb888>, Work)> {
     match format {
-        Format::Rgb888 => on_display::<Rgb888>(scene, size),
-        Format::Rgb565 => on_display::<Rgb565>(scene, size),
-        Format::Gray8 => on_display::<Gray8>(scene, size),
-        Format::Gray4 => on_display::<Gray4>(scene, size),
-        Format::Gray2 => on_display::<Gray2>(scene, size),
-        Format::Bw => on_display::<BinaryColor>(scene, size),
+        Format::Rgb888 => on_display::<Rgb888>(scene, size, progress),
+        Format::Rgb565 => on_display::<Rgb565>(scene, size, progress),
+        Format::Gray8 => on_display::<Gray8>(scene, size, progress),
+        Format::Gray4 => on_display::<Gray4>(scene, size, progress),
+        Format::Gray2 => on_display::<Gray2>(scene, size, progress),
+        Format::Bw => on_display::<BinaryColor>(scene, size, progress),
     }
 }
 
-fn on_display<C>(scene: &PreparedScene<'_>, size: Size) -> Outcome<Drawing>
+fn on_display<C>(
+    scene: &PreparedScene<'_>,
+    size: Size,
+    progress: &mut Progress,
+) -> Outcome<(OutputImage<Rgb888>, Work)>
 where
     C: PixelColor + whitted::Pixel + From<BinaryColor> + Into<Rgb888>,
 {
     let mut display = SimulatorDisplay::<C>::new(size);
     let mut renderer = Renderer::with_observer(scene, size, Work::new(scene));
-    let mut watched = Watched {
+    renderer.draw(&mut Watched {
         display: &mut display,
-        progress: Progress::new(size.height),
-    };
-    renderer.draw(&mut watched)?;
-    let time = watched.progress.finish();
+        progress,
+    })?;
     // The default settings show the display's values as they are.
     let image = display.to_rgb_output_image(&OutputSettings::default());
-    Ok(Drawing {
-        image,
-        work: renderer.observer().clone(),
-        time,
-    })
+    Ok((image, renderer.observer().clone()))
 }
