@@ -35,6 +35,19 @@ impl Move {
 }
 
 impl Motion {
+    /// The camera once around what it looks at, in four seconds.
+    pub fn once_around() -> Self {
+        Self {
+            duration: Real::from(4),
+            looping: true,
+            moves: vec![Move {
+                target: Target::CameraOrbit,
+                interpolation: Interpolation::Linear,
+                keys: vec![Key::angles("0", "0", "0"), Key::angles("4", "360", "0")],
+            }],
+        }
+    }
+
     /// The tracks, for an [`Animation`].
     pub fn tracks(&self) -> Vec<Track<'_>> {
         self.moves.iter().map(Move::track).collect()

@@ -32,6 +32,10 @@ pub(crate) enum Command {
         /// A scene file, or a compiled scene.
         scene: PathBuf,
     },
+    /// Render a scene that moves to an animated GIF or PNG, or to numbered PNGs.
+    ///
+    /// A scene moves by its [animation]; without one the camera orbits once.
+    Animate(Animate),
     /// Write a scene in the compact form that microcontrollers decode.
     Compile {
         /// A scene file.
@@ -86,6 +90,25 @@ pub(crate) struct Render {
     /// Print rays, intersection tests, time, what microcontrollers would take, and checksum.
     #[arg(long)]
     pub(crate) stats: bool,
+}
+
+#[derive(clap::Args)]
+pub(crate) struct Animate {
+    /// A scene file, or the name of a scene in scenes/.
+    pub(crate) scene: PathBuf,
+    /// A GIF, an APNG (FILE.apng or FILE.png), or a directory for numbered PNGs.
+    #[arg(short, long, value_name = "FILE|DIR")]
+    pub(crate) output: PathBuf,
+    /// Frames a second [default: 20].
+    #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..=100))]
+    pub(crate) fps: Option<u16>,
+    /// How many frames [default: as many as the animation takes].
+    #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..))]
+    pub(crate) frames: Option<u16>,
+    #[command(flatten)]
+    pub(crate) quality: Quality,
+    #[command(flatten)]
+    pub(crate) shown: Shown,
 }
 
 #[derive(clap::Args)]
@@ -182,6 +205,15 @@ pub(crate) struct Passes {
 
 impl Passes {
     const ALL: u8 = 5;
+
+    /// The sides of the blocks of each pass.
+    pub(crate) fn blocks(&self) -> &'static [u32] {
+        let blocks: &[u32] = match self.order {
+            Order::Scanlines => &[1],
+            Order::Progressive => &[16, 8, 4, 2, 1],
+        };
+        &blocks[..blocks.len().min(self.most.into())]
+    }
 }
 
 impl Default for Passes {

@@ -4,7 +4,6 @@ use std::time::Duration;
 
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
-use embedded_graphics::primitives::Rectangle;
 use embedded_graphics_simulator::{OutputImage, OutputSettings};
 use whitted::{Drawing as Steps, PreparedScene, Renderer, Step};
 
@@ -29,29 +28,37 @@ pub(crate) fn draw(
     shown: Shown,
     passes: Passes,
 ) -> Outcome<Drawing> {
+    let blocks = passes.blocks().iter();
+    let lines: u32 = blocks.map(|block| size.height.div_ceil(*block)).sum();
+    let mut progress = Progress::new(lines);
+    let (image, work) = frame(scene, size, shown, passes, &mut progress)?;
+    let time = progress.finish();
+    Ok(Drawing { image, work, time })
+}
+
+/// Draws on a display, as a part of more work.
+pub(crate) fn frame(
+    scene: &PreparedScene<'_>,
+    size: Size,
+    shown: Shown,
+    passes: Passes,
+    progress: &mut Progress,
+) -> Outcome<(OutputImage<Rgb888>, Work)> {
     let mut panel = Panel::new(size, shown.format);
     let mut renderer = Renderer::with_observer(scene, size, Work::new(scene));
     renderer.set_output(shown.output());
-    let area = Rectangle::new(Point::zero(), size);
-    let (mut steps, blocks): (_, &[u32]) = match passes.order {
-        Order::Scanlines => (Steps::scanlines(area), &[1]),
-        Order::Progressive => (Steps::progressive(area), &[16, 8, 4, 2, 1]),
+    let area = panel.bounding_box();
+    let mut steps = match passes.order {
+        Order::Scanlines => Steps::scanlines(area),
+        Order::Progressive => Steps::progressive(area),
     };
-    let blocks = blocks.iter().take(passes.most.into());
-    let finest = blocks.clone().min().copied().unwrap_or(1);
-    let mut progress = Progress::new(blocks.map(|block| size.height.div_ceil(*block)).sum());
+    let finest = passes.blocks().last().copied().unwrap_or(1);
     while steps.block() >= finest {
         renderer.step(&mut steps, Step::Line, &mut panel)?;
         progress.line();
     }
-    let time = progress.finish();
     // The default settings show the display's values as they are.
-    let image = panel
-        .display
-        .to_rgb_output_image(&OutputSettings::default());
-    Ok(Drawing {
-        image,
-        work: renderer.observer().clone(),
-        time,
-    })
+    let settings = OutputSettings::default();
+    let image = panel.display.to_rgb_output_image(&settings);
+    Ok((image, renderer.observer().clone()))
 }

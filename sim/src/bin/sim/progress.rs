@@ -12,7 +12,7 @@ pub(crate) struct Progress {
 
 impl Progress {
     /// The work begins.
-    pub(crate) fn new(lines: u32) -> Self {
+    pub(crate) fn new(lines: impl Into<u64>) -> Self {
         Self {
             start: Instant::now(),
             lines: lines.into(),
