@@ -39,6 +39,7 @@
 mod acceleration;
 mod angle;
 mod animation;
+mod antialias;
 mod budget;
 mod buffer;
 mod camera;
@@ -71,6 +72,7 @@ mod vector;
 pub use animation::{
     Animation, AnimationError, AnimationProblem, Interpolation, Key, Stage, Target, Track,
 };
+pub use antialias::{AntialiasError, Antialiased, Sample, Samples};
 pub use buffer::SceneBuffer;
 pub use changes::Changes;
 pub use checksum::Crc32;
