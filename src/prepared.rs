@@ -8,7 +8,7 @@
 use crate::error::Full;
 use crate::num::{Factor, Length, Radiance, Unit, power};
 use crate::ray::Point;
-use crate::shape::{Around, Bound, Plane, Shape, Sight};
+use crate::shape::{Around, Plane, Shape, Sight};
 use crate::texture::Texture;
 use crate::{Color, Vec3};
 
@@ -17,6 +17,9 @@ pub(crate) const MAX_DEPTH: u8 = 32;
 
 /// Offsets of planes are below 2^48 steps, 2^20 times the finite geometry.
 pub(crate) const OFFSET_BITS: i32 = 48;
+
+/// The finest scale: a step of a [`Real`](crate::Real) is then one of a [`Length`].
+pub(crate) const FINEST: i32 = 4;
 
 /// Where a prepared scene is put together.
 ///
@@ -42,12 +45,9 @@ pub struct PreparedScene<'b> {
     pub(crate) sights: Sights<'b>,
 }
 
-/// How the eye and the lights see the bounds of the finite objects, in their
-/// order.
+/// How the lights see the bounds of the finite objects, in their order.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sights<'b> {
-    /// In the camera's frame: to the right, up, and forward.
-    pub(crate) eye: &'b [Bound],
     /// Light after light, each so many sights long.
     pub(crate) lights: &'b [Sight],
     pub(crate) stride: usize,
@@ -65,12 +65,22 @@ impl<'b> Sights<'b> {
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Settings {
     pub(crate) camera: Camera,
+    pub(crate) frame: Frame,
     pub(crate) horizon: Color<Factor>,
     pub(crate) zenith: Color<Factor>,
     /// Radiances are to be multiplied by 2^exposure to become those of the scene.
     pub(crate) exposure: u8,
     pub(crate) max_depth: u8,
     pub(crate) min_weight: Factor,
+}
+
+/// Where a prepared scene lies in the world: `prepared = (world - center) * 2^exponent`.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Frame {
+    /// In the bits of a [`Real`](crate::Real).
+    pub(crate) center: Vec3<i64>,
+    /// -32 to [`FINEST`].
+    pub(crate) exponent: i32,
 }
 
 /// A camera with an orthonormal base.
@@ -209,8 +219,7 @@ mod tests {
     #[test]
     fn items_take_as_many_bytes_as_documented() {
         assert_eq!(size_of::<Object>(), 112);
-        assert_eq!(size_of::<Around>(), 20);
-        assert_eq!(size_of::<Bound>(), 16);
+        assert_eq!(size_of::<Around>(), 24);
         assert_eq!(size_of::<Sight>(), 16);
         assert_eq!(size_of::<Light>(), 28);
         assert_eq!(size_of::<Material>(), 56);

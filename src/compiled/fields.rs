@@ -1,7 +1,7 @@
 //! The fields of each item, in the order in which they are stored.
 
 use crate::Axis;
-use crate::prepared::{Camera, Light, Material, Object, Settings};
+use crate::prepared::{Camera, Frame, Light, Material, Object, Settings};
 use crate::shape::{
     Bounds, Cone, Cylinder, Ellipsoid, Form, Paraboloid, Parts, Plane, Quadric, Shape, Sphere,
     Sphereflake,
@@ -24,6 +24,11 @@ impl Fields for Settings {
         vector(right, archive);
         vector(up, archive);
         tangent.visit(archive);
+        let Frame { center, exponent } = &mut self.frame;
+        center.x.visit(archive);
+        center.y.visit(archive);
+        center.z.visit(archive);
+        exponent.visit(archive);
         color(&mut self.horizon, archive);
         color(&mut self.zenith, archive);
         self.exposure.visit(archive);
