@@ -103,6 +103,10 @@ impl Workbench {
                 self.options.transfers.next();
                 self.restart();
             }
+            Key::Antialiasing => {
+                self.options.edges.next();
+                self.restart();
+            }
             Key::Chip => self.options.boards.next(),
             Key::Save => self.save(),
             Key::Help | Key::Quit => {}
@@ -133,6 +137,7 @@ impl Workbench {
             model: &self.model,
             board: *self.options.boards.current(),
             memory: self.frame.memory,
+            renderer: self.frame.renderer,
             notice: match source.error() {
                 _ if self.shows_help => Notice::Help,
                 Some(error) => Notice::Error(error),
@@ -169,7 +174,8 @@ impl Workbench {
     /// Begins anew; what is shown stays until it is drawn over.
     fn restart(&mut self) -> bool {
         let order = *self.options.orders.current();
-        self.with_scene(|frame, scene| frame.restart(scene, order))
+        let edges = *self.options.edges.current();
+        self.with_scene(|frame, scene| frame.restart(scene, order, edges))
     }
 
     /// Does something with the scene as it is seen now. Returns whether it did,

@@ -180,15 +180,23 @@ fn keys_go_through_scenes_displays_formats_and_chips() -> Outcome {
     let title = |workbench: &Workbench| workbench.status().title();
     assert_eq!(
         title(&workbench),
-        "a (1 of 2) on ssd1306 128x64 binary, dither, linear, progressive"
+        "a (1 of 2) on ssd1306 128x64 binary, dither, linear, jagged, progressive"
     );
-    use Key::{Display, Dither, Format, NextScene, Order, Transfer};
-    for key in [NextScene, Display, Format, Order, Dither, Transfer] {
+    use Key::{Antialiasing, Display, Dither, Format, NextScene, Order, Transfer};
+    for key in [
+        NextScene,
+        Display,
+        Format,
+        Order,
+        Dither,
+        Transfer,
+        Antialiasing,
+    ] {
         workbench.press(key);
     }
     assert_eq!(
         title(&workbench),
-        "b (2 of 2) on ssd0323 128x64 gray2, no dither, sRGB, line by line"
+        "b (2 of 2) on ssd0323 128x64 gray2, no dither, sRGB, 4 rays at edges, line by line"
     );
     workbench.press(Key::PreviousScene);
     assert!(title(&workbench).starts_with("a (1 of 2) "));
@@ -199,5 +207,23 @@ fn keys_go_through_scenes_displays_formats_and_chips() -> Outcome {
     assert_eq!(notice(&workbench), "help");
     workbench.press(Key::Help);
     assert_eq!(notice(&workbench), GREETING);
+    Ok(())
+}
+
+#[test]
+fn edges_are_smoothed_once_all_else_is_drawn() -> Outcome {
+    let here = Directory::new("edges")?;
+    let mut workbench = workbench(&[here.write("scene.toml", SCENE)?], "ssd0323")?;
+    let jagged = drawn(&mut workbench);
+    let few = workbench.status().work.stats.eye;
+    workbench.press(Key::Antialiasing);
+    let smooth = drawn(&mut workbench);
+    assert!(smooth != jagged);
+    assert!(workbench.status().work.stats.eye > few);
+    assert_eq!(workbench.status().percent, 100);
+    for _ in 0..2 {
+        workbench.press(Key::Antialiasing);
+    }
+    assert!(drawn(&mut workbench) == jagged);
     Ok(())
 }
