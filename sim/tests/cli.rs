@@ -145,6 +145,33 @@ fn passes_end_with_the_picture() -> Outcome {
 }
 
 #[test]
+fn blocks_are_dithered_pixel_by_pixel() -> Outcome {
+    let here = Directory::new("blocks")?;
+    let camera = "camera = { eye = [0, 0, 1], look_at = [0, 0, 0], fovy_deg = 33 }\n";
+    fs::write(
+        here.0.join("gray.toml"),
+        format!("background = [0.3, 0.3, 0.3]\n{camera}"),
+    )?;
+    let render = |passes: &str| {
+        let order = ["--order", "progressive", "--passes", passes];
+        let args = [
+            "render",
+            "gray.toml",
+            "--size",
+            "40x30",
+            "--format",
+            "gray4",
+        ];
+        here.ok(&[&args[..], &order].concat())?;
+        Ok::<_, Box<dyn Error>>(png16::read(here.0.join("gray.png"))?.pixels)
+    };
+    let dithered = render("5")?;
+    assert!(dithered.iter().any(|pixel| *pixel != dithered[0]));
+    assert!(render("1")? == dithered);
+    Ok(())
+}
+
+#[test]
 fn displays_are_listed_and_drawn_on() -> Outcome {
     let here = Directory::new("displays")?;
     let list = here.ok(&["displays"])?;
