@@ -145,8 +145,7 @@ impl<'s, 'm, O: Observer> Antialiased<'s, 'm, O> {
     /// each is traced once; the last one again costs nothing, any other what three lines cost.
     pub fn line(&mut self, y: u32) -> impl Iterator<Item = Color<Radiance>> {
         self.finish(y);
-        let [even, odd] = &self.lines;
-        let line = if y % 2 == 0 { even } else { odd };
+        let line = &self.lines[y as usize % 2];
         let count = if y < self.view.height { line.len() } else { 0 };
         line.iter().take(count).map(Sample::color)
     }

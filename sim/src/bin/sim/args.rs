@@ -2,7 +2,7 @@ use std::path::PathBuf;
 
 use clap::{Parser, Subcommand, ValueEnum, value_parser};
 use embedded_graphics::geometry::Size;
-use whitted::{Output, Real};
+use whitted::{Output, Real, Samples};
 
 /// Renders scenes on the host, with the arithmetic of the microcontroller.
 ///
@@ -61,6 +61,9 @@ pub(crate) struct Render {
     pub(crate) quality: Quality,
     #[command(flatten)]
     pub(crate) shown: Shown,
+    /// Smooth edges: this many more rays through pixels that differ from their neighbors.
+    #[arg(long, value_enum, value_name = "N")]
+    pub(crate) antialias: Option<Antialias>,
     /// Write linear colors, 16 bits a channel, in place of a display's.
     #[arg(long, conflicts_with_all = ["format", "dither", "transfer"])]
     pub(crate) linear16: bool,
@@ -169,6 +172,23 @@ pub(crate) enum Format {
     /// Black and white.
     #[value(alias = "bw")]
     Binary,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(crate) enum Antialias {
+    #[value(name = "4")]
+    Four,
+    #[value(name = "16")]
+    Sixteen,
+}
+
+impl From<Antialias> for Samples {
+    fn from(antialias: Antialias) -> Self {
+        match antialias {
+            Antialias::Four => Self::Four,
+            Antialias::Sixteen => Self::Sixteen,
+        }
+    }
 }
 
 #[derive(Clone, Copy, Debug, Default, ValueEnum)]

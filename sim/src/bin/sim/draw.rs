@@ -7,7 +7,7 @@ use embedded_graphics::pixelcolor::{
 };
 use embedded_graphics::prelude::*;
 use embedded_graphics_simulator::{OutputImage, OutputSettings, SimulatorDisplay};
-use whitted::{Output, PreparedScene, Renderer};
+use whitted::{Antialiased, Output, PreparedScene, Renderer, Sample, Samples};
 
 use whitted_sim::cost::Work;
 
@@ -23,7 +23,12 @@ pub(crate) struct Drawing {
 }
 
 /// Draws on a display.
-pub(crate) fn draw(scene: &PreparedScene<'_>, size: Size, shown: Shown) -> Outcome<Drawing> {
+pub(crate) fn draw(
+    scene: &PreparedScene<'_>,
+    size: Size,
+    shown: Shown,
+    samples: Option<Samples>,
+) -> Outcome<Drawing> {
     let draw = match shown.format {
         Format::Rgb888 => on_display::<Rgb888>,
         Format::Rgb666 => on_display::<Rgb666>,
@@ -34,27 +39,46 @@ pub(crate) fn draw(scene: &PreparedScene<'_>, size: Size, shown: Shown) -> Outco
         Format::Gray2 => on_display::<Gray2>,
         Format::Binary => on_display::<BinaryColor>,
     };
-    draw(scene, size, shown.output())
+    draw(scene, size, shown.output(), samples)
 }
 
-fn on_display<C>(scene: &PreparedScene<'_>, size: Size, output: Output) -> Outcome<Drawing>
+fn on_display<C>(
+    scene: &PreparedScene<'_>,
+    size: Size,
+    output: Output,
+    samples: Option<Samples>,
+) -> Outcome<Drawing>
 where
     C: PixelColor + whitted::Pixel + From<BinaryColor> + Into<Rgb888>,
 {
     let mut display = SimulatorDisplay::<C>::new(size);
-    let mut renderer = Renderer::with_observer(scene, size, Work::new(scene));
-    renderer.set_output(output);
     let mut watched = Watched {
         display: &mut display,
         progress: Progress::new(size.height),
     };
-    renderer.draw(&mut watched)?;
+    let work = Work::new(scene);
+    let work = match samples {
+        None => {
+            let mut renderer = Renderer::with_observer(scene, size, work);
+            renderer.set_output(output);
+            renderer.draw(&mut watched)?;
+            renderer.observer().clone()
+        }
+        Some(samples) => {
+            let mut memory = two_lines(size);
+            let mut renderer = Antialiased::with_observer(scene, size, samples, &mut memory, work)?;
+            renderer.set_output(output);
+            renderer.draw(&mut watched)?;
+            renderer.observer().clone()
+        }
+    };
     let time = watched.progress.finish();
     // The default settings show the display's values as they are.
     let image = display.to_rgb_output_image(&OutputSettings::default());
-    Ok(Drawing {
-        image,
-        work: renderer.observer().clone(),
-        time,
-    })
+    Ok(Drawing { image, work, time })
+}
+
+/// The memory that smooth edges take.
+pub(crate) fn two_lines(size: Size) -> Vec<Sample> {
+    vec![Sample::BLACK; 2 * size.width as usize]
 }

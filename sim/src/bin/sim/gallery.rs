@@ -58,7 +58,7 @@ pub(crate) fn gallery(options: &Gallery) -> Outcome {
 fn render(scene: &Scene, size: Size) -> Outcome<Drawing> {
     let mut buffer = Box::new(Buffer::new());
     let prepared = scene.prepare(&mut buffer)?;
-    draw(&prepared, size, Shown::default())
+    draw(&prepared, size, Shown::default(), None)
 }
 
 fn rays(stats: &Stats) -> u64 {

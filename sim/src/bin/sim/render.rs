@@ -18,7 +18,7 @@ pub(crate) fn default_scene() -> Outcome {
     let scene = Scene::open(Path::new("whitted"))?;
     let mut buffer = Box::new(Buffer::new());
     let prepared = scene.prepare(&mut buffer)?;
-    let drawing = draw(&prepared, Size::new(320, 240), Shown::default())?;
+    let drawing = draw(&prepared, Size::new(320, 240), Shown::default(), None)?;
     terminal::show(&drawing.image)?;
     report::save(&drawing.image, Path::new("whitted.png"))?;
     Ok(())
@@ -30,12 +30,13 @@ pub(crate) fn render(options: &Render) -> Outcome {
     let mut buffer = Box::new(Buffer::new());
     let prepared = scene.prepare_for(&options.quality, &mut buffer)?;
     let size = options.quality.size;
+    let samples = options.antialias.map(Into::into);
     let output = options
         .output
         .clone()
         .unwrap_or_else(|| named_after(&options.scene));
     let checksum = if options.linear16 {
-        let linear = linear(&prepared, size);
+        let linear = linear(&prepared, size, samples)?;
         png16::write(&output, &linear.picture)?;
         report::wrote(&output);
         if options.stats {
@@ -43,14 +44,14 @@ pub(crate) fn render(options: &Render) -> Outcome {
         }
         library::checksum(&linear.picture)
     } else {
-        let drawing = draw(&prepared, size, options.shown)?;
+        let drawing = draw(&prepared, size, options.shown, samples)?;
         report::save(&drawing.image, &output)?;
         if !options.stats {
             return Ok(());
         }
         report::stats(&drawing.work, drawing.time)?;
         // The checksum is of linear samples, which a display does not keep.
-        library::checksum(&linear(&prepared, size).picture)
+        library::checksum(&linear(&prepared, size, samples)?.picture)
     };
     report::checksum(checksum);
     Ok(())
