@@ -204,6 +204,32 @@ fn a_display_has_its_own_colors_and_scale() -> Outcome {
 }
 
 #[test]
+fn dither_transfer_and_smooth_edges_change_the_picture() -> Outcome {
+    let here = Directory::new("output")?;
+    let plain = ["render", "whitted", "--size", "40x30", "--format", "gray4"];
+    let mut pictures = Vec::new();
+    for options in [
+        &[][..],
+        &["--dither", "off"],
+        &["--transfer", "srgb"],
+        &["--antialias", "4"],
+        &["--antialias", "16"],
+    ] {
+        here.ok(&[&plain[..], &["-o", "shown.png"], options].concat())?;
+        pictures.push(png16::read(here.0.join("shown.png"))?);
+    }
+    for (index, picture) in pictures.iter().enumerate() {
+        assert!(!pictures[..index].contains(picture), "the picture {index}");
+    }
+    let linear = ["render", "whitted", "--size", "40x30", "--linear16"];
+    here.ok(&[&linear[..], &["-o", "plain.png"]].concat())?;
+    here.ok(&[&linear[..], &["--antialias", "4", "-o", "smooth.png"]].concat())?;
+    let [plain, smooth] = ["plain.png", "smooth.png"].map(|file| png16::read(here.0.join(file)));
+    assert!(plain? != smooth?);
+    Ok(())
+}
+
+#[test]
 fn a_compiled_scene_renders_the_same() -> Outcome {
     let here = Directory::new("compiled")?;
     here.ok(&["compile", "four_spheres", "-o", "four.scene"])?;

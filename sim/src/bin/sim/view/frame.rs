@@ -1,11 +1,12 @@
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics_simulator::SimulatorDisplay;
-use whitted::{Antialiased, Drawing, Output, PreparedScene, Renderer, Sample, Samples, Step};
+use whitted::{Antialiased, Drawing, Output, PreparedScene, Renderer, Samples, Step};
 use whitted_sim::cost::Work;
 
 use crate::args::Order;
 use crate::display::Display;
+use crate::draw::two_lines;
 use crate::memory::memory;
 use crate::panel::Panel;
 
@@ -59,7 +60,9 @@ impl Frame {
         self.memory = memory(scene.counts());
         self.renderer = match edges {
             None => size_of::<Renderer<'_>>(),
-            Some(_) => size_of::<Antialiased<'_, '_>>() + size_of_val(&*self.lines()),
+            Some(_) => {
+                size_of::<Antialiased<'_, '_>>() + size_of_val(&*two_lines(self.panel.size()))
+            }
         };
     }
 
@@ -81,7 +84,8 @@ impl Frame {
         let Some(samples) = self.edges.take() else {
             return;
         };
-        let (size, work, mut lines) = (self.panel.size(), Work::new(scene), self.lines());
+        let (size, work) = (self.panel.size(), Work::new(scene));
+        let mut lines = two_lines(size);
         let smooth = Antialiased::with_observer(scene, size, samples, &mut lines, work);
         // A picture of the largest size is too large, and keeps its edges.
         if let Ok(mut smooth) = smooth {
@@ -89,11 +93,6 @@ impl Frame {
             let Ok(()) = smooth.draw(&mut self.panel);
             self.work = smooth.observer().clone();
         }
-    }
-
-    /// The memory that smoothing takes.
-    fn lines(&self) -> Vec<Sample> {
-        vec![Sample::BLACK; 2 * self.panel.size().width as usize]
     }
 
     /// What is on the display so far, and which display it is.
