@@ -143,7 +143,7 @@ pub(crate) fn decode(bytes: &[u8], room: &mut impl Room) -> Result<Settings, Dec
     if checksum_of(body) != u32::from_le_bytes(*checksum) {
         return Err(DecodeError::Checksum);
     }
-    let mut settings = Settings::default();
+    let mut settings = Settings::blank();
     settings.visit(&mut reader);
     check(settings.is_valid(), Item::Scene)?;
     for index in 0..header.lights {

@@ -466,6 +466,66 @@ fn a_scene_is_animated() -> Outcome {
     Ok(())
 }
 
+/// A ball that moves a little before a background that does not.
+const BALL: &str = r#"
+[camera]
+eye = [0, 0, 8]
+look_at = [0, 0, 0]
+fovy_deg = 33
+[materials.white]
+le = [1, 1, 1]
+[[objects]]
+type = "sphere"
+name = "ball"
+center = [0, 0, 0]
+radius = 0.5
+material = "white"
+[animation]
+duration = 1
+[[animation.tracks]]
+target = "objects.ball.center"
+keys = [[0, [0, 0, 0]], [1, [1, -0.5, 0]]]
+"#;
+
+#[test]
+fn of_a_frame_only_what_changed_is_written() -> Outcome {
+    let here = Directory::new("change")?;
+    fs::write(here.0.join("ball.toml"), BALL)?;
+    let scene = [
+        "animate",
+        "ball.toml",
+        "--size",
+        "40x30",
+        "--frames",
+        "3",
+        "-o",
+    ];
+    here.ok(&[&scene[..], &["ball.gif"]].concat())?;
+    here.ok(&[&scene[..], &["ball.apng"]].concat())?;
+    here.ok(&[&scene[..], &["out"]].concat())?;
+    let (of_gif, _) = gif_frames(&here.0.join("ball.gif"))?;
+    let (of_apng, _) = apng_frames(&here.0.join("ball.apng"))?;
+    for (index, (of_gif, of_apng)) in of_gif.iter().zip(&of_apng).enumerate() {
+        let picture = png16::read(here.0.join(format!("out/frame-000{index}.png")))?;
+        let samples = picture.pixels.iter().flat_map(|c| [c.r, c.g, c.b]);
+        let samples: Vec<_> = samples.map(|sample| (sample / 257) as u8).collect();
+        assert!(*of_gif == samples && *of_apng == samples, "frame {index}");
+    }
+    let mut reader = gif::DecodeOptions::new().read_info(File::open(here.0.join("ball.gif"))?)?;
+    let mut sizes = Vec::new();
+    while let Some(frame) = reader.next_frame_info()? {
+        sizes.push((frame.width, frame.height));
+    }
+    assert_eq!(sizes[0], (40, 30));
+    assert!(
+        sizes[1..]
+            .iter()
+            .all(|(width, height)| *width < 16 && *height < 12),
+        "{sizes:?}"
+    );
+    Ok(())
+}
+
 #[test]
 fn many_colors_fit_a_gif() -> Outcome {
     let here = Directory::new("colors")?;

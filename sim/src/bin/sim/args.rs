@@ -34,7 +34,7 @@ pub(crate) enum Command {
     },
     /// Render a scene that moves to an animated GIF or PNG, or to numbered PNGs.
     ///
-    /// A scene moves by its [animation]; without one the camera orbits once.
+    /// What moves stands in the scene's table `animation`; without one the camera orbits once.
     Animate(Animate),
     /// Write a scene in the compact form that microcontrollers decode.
     Compile {
