@@ -6,6 +6,7 @@ use embedded_graphics::prelude::*;
 use super::*;
 use crate::args::{Passes, Shown};
 use crate::draw::draw;
+use crate::open::Scene;
 
 const SCENE: &str = include_str!("../../../../../../scenes/whitted.toml");
 
@@ -169,6 +170,22 @@ fn the_camera_goes_so_far_and_back() -> Outcome {
     }
     workbench.press(Key::Reset);
     assert_eq!(workbench.viewpoint, Viewpoint::default());
+    Ok(())
+}
+
+#[test]
+fn a_compiled_scene_is_orbited_as_its_file() -> Outcome {
+    let here = Directory::new("compiled")?;
+    let scene = here.write("scene.toml", SCENE)?;
+    let compiled = here.0.join("compiled.scene");
+    fs::write(&compiled, whitted_sim::scene_file::compile(&scene)?)?;
+    let mut workbench = workbench(&[scene, compiled], "ssd0323")?;
+    workbench.press(Key::Left);
+    let moved = drawn(&mut workbench);
+    workbench.press(Key::NextScene);
+    let still = drawn(&mut workbench);
+    workbench.press(Key::Left);
+    assert!(still != moved && drawn(&mut workbench) == moved);
     Ok(())
 }
 
