@@ -43,6 +43,7 @@ impl Camera {
     /// let from_the_right = camera.orbited(Real::lit("90"), Real::ZERO);
     /// assert_eq!(from_the_right.eye, Vec3::lit("8", "1", "0"));
     /// ```
+    #[inline(never)]
     pub fn orbited(self, yaw_deg: Real, pitch_deg: Real) -> Self {
         let way = self.eye.zip(self.look_at, Real::saturating_sub);
         let up = direction(self.up.map(Real::to_bits));
@@ -65,31 +66,34 @@ impl Camera {
 }
 
 /// How far the way from `look_at` to the eye is to be raised, around `level`.
+#[inline(never)]
 fn pitch(view: Vec3<Unit>, up: Vec3<Unit>, level: Vec3<Unit>, degrees: Real) -> Turn {
     const HALF: Real = Real::lit("180");
+    /// By 89 degrees; a constant, or the text would be read by the chip.
+    const STEEPEST: Turn = Turn {
+        cos: Unit::lit("0.0174524064"),
+        sin: Unit::lit("0.9998476952"),
+    };
     let ahead = direction(up.cross(level)).unwrap_or(view);
     let elevation = Turn {
         cos: view.cosine(ahead),
         sin: view.cosine(up),
     };
     let turn = Turn::by(degrees.clamp(-HALF, HALF));
-    let steepest = Turn {
-        cos: Unit::lit("0.0174524064"),
-        sin: Unit::lit("0.9998476952"),
-    };
-    if elevation.then(turn).cos >= steepest.cos.min(elevation.cos) {
+    if elevation.then(turn).cos >= STEEPEST.cos.min(elevation.cos) {
         return turn;
     }
     let limit = if degrees < 0 {
-        steepest.back()
+        STEEPEST.back()
     } else {
-        steepest
+        STEEPEST
     };
     limit.then(elevation.back())
 }
 
 /// A vector, turned around an axis (Rodrigues 1840):
 /// `v cos + (axis × v) sin + axis (axis · v) (1 - cos)`.
+#[inline(never)]
 fn turned(v: Vec3<Real>, axis: Vec3<Unit>, turn: Turn) -> Vec3<Real> {
     let v = v.map(|c| i128::from(c.to_bits()));
     let axis = axis.map(|c| i128::from(c.to_bits()));
