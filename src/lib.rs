@@ -39,6 +39,7 @@
 mod acceleration;
 mod angle;
 mod animation;
+mod antialias;
 mod budget;
 mod buffer;
 mod camera;
@@ -53,6 +54,7 @@ mod intersect;
 mod num;
 mod observer;
 mod optics;
+mod output;
 mod pixel;
 mod prepare;
 mod prepared;
@@ -70,6 +72,7 @@ mod vector;
 pub use animation::{
     Animation, AnimationError, AnimationProblem, Interpolation, Key, Stage, Target, Track,
 };
+pub use antialias::{AntialiasError, Antialiased, Sample, Samples};
 pub use buffer::SceneBuffer;
 pub use changes::Changes;
 pub use checksum::Crc32;
@@ -79,6 +82,7 @@ pub use drawing::{Drawing, Step};
 pub use error::{DecodeError, Item, Problem, SceneError};
 pub use num::{Radiance, Real};
 pub use observer::{Node, Observer, RayKind, ShapeKind, Stats};
+pub use output::{Dither, Output, Transfer};
 pub use pixel::Pixel;
 pub use prepared::PreparedScene;
 pub use renderer::Renderer;

@@ -2,12 +2,12 @@
 
 mod display;
 
-use embedded_graphics_core::geometry::Size;
+use embedded_graphics_core::geometry::{Point, Size};
 
 use crate::num::Radiance;
 use crate::observer::Observer;
 use crate::raster::Raster;
-use crate::{Color, Pixel, PreparedScene};
+use crate::{Color, Output, Pixel, PreparedScene};
 
 /// Draws a scene line by line, each pixel once, without a framebuffer; or step by
 /// step, in other orders too: [`step`](Self::step).
@@ -32,6 +32,7 @@ use crate::{Color, Pixel, PreparedScene};
 #[derive(Clone, Debug)]
 pub struct Renderer<'s, O: Observer = ()> {
     raster: Raster<'s>,
+    output: Output,
     observer: O,
 }
 
@@ -47,6 +48,7 @@ impl<'s, O: Observer> Renderer<'s, O> {
     pub fn with_observer(scene: &'s PreparedScene<'s>, size: Size, observer: O) -> Self {
         Self {
             raster: Raster::new(scene, size.width, size.height),
+            output: Output::default(),
             observer,
         }
     }
@@ -54,6 +56,16 @@ impl<'s, O: Observer> Renderer<'s, O> {
     /// What the observer has seen so far.
     pub fn observer(&self) -> &O {
         &self.observer
+    }
+
+    /// How the picture is shown on the display.
+    pub fn output(&self) -> Output {
+        self.output
+    }
+
+    /// Shows what is drawn from now on in another way.
+    pub fn set_output(&mut self, output: Output) {
+        self.output = output;
     }
 
     /// The size of the picture.
@@ -78,8 +90,11 @@ impl<'s, O: Observer> Renderer<'s, O> {
     /// Traces line `y` into a slice, for example to send it by DMA while the
     /// next is traced. What is longer than the line is left as it is.
     pub fn render_line<P: Pixel>(&mut self, y: u32, line: &mut [P]) {
-        for (pixel, color) in line.iter_mut().zip(self.line(y)) {
-            *pixel = P::from_linear(color);
+        let output = self.output;
+        let columns = self.raster.columns();
+        let pixels = self.raster.pixels(y, columns, &mut self.observer);
+        for (pixel, (x, color)) in line.iter_mut().zip(pixels) {
+            *pixel = P::show(color, Point::new(x as i32, y as i32), output);
         }
     }
 }

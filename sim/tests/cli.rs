@@ -89,10 +89,13 @@ fn every_format_is_rendered() -> Outcome {
     let here = Directory::new("formats")?;
     let colors = [
         ("rgb888", 999),
+        ("rgb666", 999),
         ("rgb565", 999),
+        ("rgb555", 999),
         ("gray8", 256),
         ("gray4", 16),
         ("gray2", 4),
+        ("binary", 2),
         ("bw", 2),
     ];
     for (format, most) in colors {
@@ -132,6 +135,32 @@ fn passes_end_with_the_picture() -> Outcome {
             assert_eq!(*pixel, scanlines[corner], "({x}, {y}), blocks of {block}");
         }
     }
+    Ok(())
+}
+
+#[test]
+fn dither_transfer_and_smooth_edges_change_the_picture() -> Outcome {
+    let here = Directory::new("output")?;
+    let plain = ["render", "whitted", "--size", "40x30", "--format", "gray4"];
+    let mut pictures = Vec::new();
+    for options in [
+        &[][..],
+        &["--dither", "off"],
+        &["--transfer", "srgb"],
+        &["--antialias", "4"],
+        &["--antialias", "16"],
+    ] {
+        here.ok(&[&plain[..], &["-o", "shown.png"], options].concat())?;
+        pictures.push(png16::read(here.0.join("shown.png"))?);
+    }
+    for (index, picture) in pictures.iter().enumerate() {
+        assert!(!pictures[..index].contains(picture), "the picture {index}");
+    }
+    let linear = ["render", "whitted", "--size", "40x30", "--linear16"];
+    here.ok(&[&linear[..], &["-o", "plain.png"]].concat())?;
+    here.ok(&[&linear[..], &["--antialias", "4", "-o", "smooth.png"]].concat())?;
+    let [plain, smooth] = ["plain.png", "smooth.png"].map(|file| png16::read(here.0.join(file)));
+    assert!(plain? != smooth?);
     Ok(())
 }
 

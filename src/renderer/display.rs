@@ -10,7 +10,7 @@ use crate::drawing::{Drawing, Row, Step};
 use crate::num::Radiance;
 use crate::observer::{Counting, Observer};
 use crate::raster::Pixels;
-use crate::{Color, Pixel};
+use crate::{Color, Output, Pixel};
 
 impl<O: Observer> Renderer<'_, O> {
     /// Draws the whole picture, top to bottom.
@@ -36,8 +36,9 @@ impl<O: Observer> Renderer<'_, O> {
         D::Color: Pixel,
     {
         let row = Row::line(y, self.raster.columns());
+        let output = self.output;
         let pixels = self.raster.pixels(y, row.columns, &mut self.observer);
-        fill_line(&row, pixels, target)
+        fill_line(&row, pixels, output, target)
     }
 
     /// Draws on, as far as told; does nothing if the drawing is complete.
@@ -82,13 +83,14 @@ impl<O: Observer> Renderer<'_, O> {
         let Some(row) = drawing.row(size) else {
             return Ok(());
         };
+        let output = self.output;
         let pixels = self.raster.pixels(row.y, row.columns, &mut self.observer);
         if row.block > 1 {
-            return fill_blocks(drawing, size, &row, pixels, target);
+            return fill_blocks(drawing, size, &row, pixels, output, target);
         }
         match row.is_whole() {
-            true => fill_line(&row, pixels, target),
-            false => draw_dots(&row, pixels, target),
+            true => fill_line(&row, pixels, output, target),
+            false => draw_dots(&row, pixels, output, target),
         }?;
         drawing.finish_row(size);
         Ok(())
@@ -117,6 +119,7 @@ impl<O: Observer> Renderer<'_, O> {
         D::Color: Pixel,
     {
         let size = self.size();
+        let output = self.output;
         let mut counting = Counting {
             observer: &mut self.observer,
             rays: 0,
@@ -131,12 +134,12 @@ impl<O: Observer> Renderer<'_, O> {
                 is_spent: false,
             };
             if row.block > 1 {
-                fill_blocks(drawing, size, &row, within, target)?;
+                fill_blocks(drawing, size, &row, within, output, target)?;
                 continue;
             }
             match row.is_whole() {
-                true => fill_line(&row, &mut within, target),
-                false => draw_dots(&row, &mut within, target),
+                true => fill_line(&row, &mut within, output, target),
+                false => draw_dots(&row, &mut within, output, target),
             }?;
             match within.is_spent {
                 true => drawing.advance(within.given, size),
@@ -154,6 +157,7 @@ fn fill_blocks<D>(
     size: Size,
     row: &Row,
     pixels: impl Iterator<Item = (u32, Color<Radiance>)>,
+    output: Output,
     target: &mut D,
 ) -> Result<(), D::Error>
 where
@@ -162,7 +166,10 @@ where
 {
     for (x, color) in pixels {
         let block = row.block_at(x);
-        target.fill_contiguous(&block, block.points().map(|at| shown(color, at)))?;
+        target.fill_contiguous(
+            &block,
+            block.points().map(|at| Pixel::show(color, at, output)),
+        )?;
         drawing.advance(1, size);
     }
     Ok(())
@@ -172,13 +179,14 @@ where
 fn fill_line<D>(
     row: &Row,
     pixels: impl Iterator<Item = (u32, Color<Radiance>)>,
+    output: Output,
     target: &mut D,
 ) -> Result<(), D::Error>
 where
     D: DrawTarget,
     D::Color: Pixel,
 {
-    let colors = pixels.map(|(x, color)| shown(color, row.point(x)));
+    let colors = pixels.map(|(x, color)| Pixel::show(color, row.point(x), output));
     target.fill_contiguous(&row.area(), colors)
 }
 
@@ -186,6 +194,7 @@ where
 fn draw_dots<D>(
     row: &Row,
     pixels: impl Iterator<Item = (u32, Color<Radiance>)>,
+    output: Output,
     target: &mut D,
 ) -> Result<(), D::Error>
 where
@@ -193,13 +202,7 @@ where
     D::Color: Pixel,
 {
     let dots = pixels.map(|(x, color)| (row.point(x), color));
-    target.draw_iter(dots.map(|(at, color)| Dot(at, shown(color, at))))
-}
-
-/// A color as the display has it at a point.
-#[inline(always)]
-fn shown<C: Pixel>(color: Color<Radiance>, _: Point) -> C {
-    C::from_linear(color)
+    target.draw_iter(dots.map(|(at, color)| Dot(at, Pixel::show(color, at, output))))
 }
 
 /// Pixels, until a budget of rays is spent.

@@ -93,22 +93,24 @@ fn pitch(view: Vec3<Unit>, up: Vec3<Unit>, level: Vec3<Unit>, degrees: Real) -> 
 
 /// A vector, turned around an axis (Rodrigues 1840):
 /// `v cos + (axis × v) sin + axis (axis · v) (1 - cos)`.
-#[inline(never)]
 fn turned(v: Vec3<Real>, axis: Vec3<Unit>, turn: Turn) -> Vec3<Real> {
     let v = v.map(|c| i128::from(c.to_bits()));
-    let axis = axis.map(|c| i128::from(c.to_bits()));
-    let [cos, sin] = [turn.cos, turn.sin].map(|c| i128::from(c.to_bits()));
-    // Q32 * Q30 -> Q62, to Q32
-    let rounded = |product: i128| (product + (1 << 29)) >> 30;
-    let across = Vec3::new(
-        rounded(axis.y * v.z - axis.z * v.y),
-        rounded(axis.z * v.x - axis.x * v.z),
-        rounded(axis.x * v.y - axis.y * v.x),
-    );
-    let along = rounded(axis.x * v.x + axis.y * v.y + axis.z * v.z);
-    let kept = rounded(along * ((1 << 30) - cos));
-    let sum = v
-        .zip(across, |v, across| v * cos + across * sin)
-        .zip(axis, |sum, axis| rounded(sum + axis * kept));
-    sum.map(|c| Real::from_bits(c.clamp(i64::MIN.into(), i64::MAX.into()) as i64))
+    let Vec3 { x, y, z } = axis.map(|c| i64::from(c.to_bits()));
+    let [cos, sin] = [turn.cos, turn.sin].map(|c| i64::from(c.to_bits()));
+    let across = Vec3::new([0, -z, y], [z, 0, -x], [-y, x, 0]).map(|row| dot([v.x, v.y, v.z], row));
+    let along = dot([v.x, v.y, v.z], [x, y, z]);
+    let kept = dot([along, 0, 0], [(1 << 30) - cos, 0, 0]);
+    v.zip(across, |v, across| (v, across))
+        .zip(Vec3::new(x, y, z), |(v, across), axis| {
+            let sum = dot([v, across, kept], [cos, sin, axis]);
+            Real::from_bits(sum.clamp(i64::MIN.into(), i64::MAX.into()) as i64)
+        })
+}
+
+/// A sum of products, Q32 * Q30 -> Q62, rounded to Q32. Not inlined: products of
+/// 128 bits are long.
+#[inline(never)]
+fn dot([x, y, z]: [i128; 3], [a, b, c]: [i64; 3]) -> i128 {
+    let sum = x * i128::from(a) + y * i128::from(b) + z * i128::from(c);
+    (sum + (1 << 29)) >> 30
 }

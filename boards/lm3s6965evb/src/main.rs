@@ -95,7 +95,7 @@ fn orbit(scene: &mut PreparedScene<'_>, camera: &mut Camera, arrow: Button) {
 fn draw(scene: &PreparedScene<'_>, board: &mut Board) -> Button {
     let mut renderer = Renderer::new(scene, board.oled.size());
     let mut drawing = Drawing::progressive(board.oled.bounding_box());
-    let mut checksum = Checksum::new();
+    let mut checksum = Checksum::default();
     board.stopwatch.restart();
     loop {
         if let Some(button) = board.buttons.pressed() {

@@ -61,7 +61,7 @@ where
 /// `cargo xtask profile` that the frame is drawn.
 #[inline(never)]
 fn checksum(renderer: &mut Renderer<'_>) -> u32 {
-    let mut checksum = Checksum::new();
+    let mut checksum = Checksum::default();
     loop {
         if let Some(checksum) = checksum.line(renderer) {
             return checksum;

@@ -7,12 +7,13 @@ use super::Complaint;
 use super::tokens::Source;
 
 /// Where colors become pixels, and lines meet a DrawTarget.
-const DISPLAY_FILES: [&str; 5] = [
+const DISPLAY_FILES: [&str; 6] = [
     "src/pixel.rs",
     "src/drawing.rs",
     "src/changes.rs",
     "src/renderer.rs",
     "src/renderer/display.rs",
+    "src/antialias.rs",
 ];
 
 /// Where angles become sines and cosines, by micromath.
