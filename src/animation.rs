@@ -178,8 +178,11 @@ impl Animation<'_> {
         Ok(())
     }
 
-    /// Checks the animation of a scene.
-    fn check(&self, scene: &Scene<'_>) -> Result<(), AnimationError> {
+    /// Checks the animation of a scene; a [`Stage`] does so for each frame.
+    ///
+    /// # Errors
+    /// The first track that cannot be, and what is wrong with it.
+    pub fn check(&self, scene: &Scene<'_>) -> Result<(), AnimationError> {
         self.check_keys()?;
         let lights = scene.lights.len();
         for (track, index) in self.tracks.iter().zip(0..) {

@@ -154,8 +154,8 @@ impl PreparedScene<'_> {
     ///     objects: &[Object::sphere(Vec3::lit("0", "1", "0"), Real::ONE, MaterialId(0))],
     ///     ..Scene::new(camera)
     /// })?;
-    /// for frame in 0..36 {
-    ///     scene.set_camera(&camera.orbited(Real::from(10 * frame), Real::ZERO))?;
+    /// for _ in 0..36 {
+    ///     scene.set_camera(&scene.camera().orbited(Real::lit("10"), Real::ZERO))?;
     ///     // Renderer::new(&scene, display.size()).draw(&mut display)
     /// }
     /// # Ok::<(), whitted::SceneError>(())
@@ -167,6 +167,7 @@ impl PreparedScene<'_> {
     /// far away. The camera then stays where it was.
     pub fn set_camera(&mut self, camera: &Camera) -> Result<(), SceneError> {
         self.settings.camera = prepare::moved_camera(camera, &self.settings.frame)?;
+        self.settings.authored = *camera;
         Ok(())
     }
 

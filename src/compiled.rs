@@ -120,6 +120,9 @@ fn checksum_of(bytes: &[u8]) -> u32 {
     crc.finish()
 }
 
+/// Not inlined, as whoever decodes then draws, and its variables would take stack
+/// all the while.
+#[inline(never)]
 pub(crate) fn decode(bytes: &[u8], room: &mut impl Room) -> Result<Settings, DecodeError> {
     room.clear();
     if !bytes.starts_with(&MAGIC) {
@@ -143,7 +146,7 @@ pub(crate) fn decode(bytes: &[u8], room: &mut impl Room) -> Result<Settings, Dec
     if checksum_of(body) != u32::from_le_bytes(*checksum) {
         return Err(DecodeError::Checksum);
     }
-    let mut settings = Settings::default();
+    let mut settings = Settings::blank();
     settings.visit(&mut reader);
     check(settings.is_valid(), Item::Scene)?;
     for index in 0..header.lights {

@@ -52,6 +52,7 @@ pub(crate) fn prepare(scene: &Scene<'_>, room: &mut impl Room) -> Result<Setting
     };
     Ok(Settings {
         camera,
+        authored: scene.camera,
         frame,
         horizon: intensity(horizon),
         zenith: intensity(zenith),

@@ -10,7 +10,7 @@ use crate::num::{Factor, Length, Radiance, Unit};
 use crate::ray::Point;
 use crate::shape::{Around, Plane, Shape, Sight};
 use crate::texture::Texture;
-use crate::{Color, Vec3};
+use crate::{Color, Real, Vec3, scene};
 
 /// The most secondary generations of rays.
 pub(crate) const MAX_DEPTH: u8 = 32;
@@ -62,9 +62,11 @@ impl<'b> Sights<'b> {
 }
 
 /// All of a prepared scene that is not a list.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Settings {
     pub(crate) camera: Camera,
+    /// The camera as it was authored, of which orbits need the whole.
+    pub(crate) authored: scene::Camera,
     pub(crate) frame: Frame,
     pub(crate) horizon: Color<Factor>,
     pub(crate) zenith: Color<Factor>,
@@ -72,6 +74,23 @@ pub(crate) struct Settings {
     pub(crate) exposure: u8,
     pub(crate) max_depth: u8,
     pub(crate) min_weight: Factor,
+}
+
+impl Settings {
+    /// Before they are read.
+    pub(crate) fn blank() -> Self {
+        let nowhere = Vec3::new(Real::ZERO, Real::ZERO, Real::ZERO);
+        Self {
+            camera: Camera::default(),
+            authored: scene::Camera::new(nowhere, nowhere, Real::ZERO),
+            frame: Frame::default(),
+            horizon: Color::<Factor>::BLACK,
+            zenith: Color::<Factor>::BLACK,
+            exposure: 0,
+            max_depth: 0,
+            min_weight: Factor::ZERO,
+        }
+    }
 }
 
 /// Where a prepared scene lies in the world: `prepared = (world - center) * 2^exponent`.
@@ -161,6 +180,12 @@ impl<'b> PreparedScene<'b> {
     /// Secondary generations of rays.
     pub fn max_depth(&self) -> u8 {
         self.settings.max_depth
+    }
+
+    /// The camera, in world units, to be moved by
+    /// [`set_camera`](Self::set_camera).
+    pub fn camera(&self) -> scene::Camera {
+        self.settings.authored
     }
 
     /// How many objects, lights and materials there are.

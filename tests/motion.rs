@@ -50,7 +50,8 @@ fn a_moved_camera_draws_what_preparing_anew_draws() {
     let mut moved = file.prepare(&mut buffer).unwrap();
     let mut decoded = third.decode(&bytes.unwrap()).unwrap();
     let first = draw(&moved);
-    for camera in cameras(file.scene().camera) {
+    assert_eq!(decoded.camera(), file.scene().camera);
+    for camera in cameras(decoded.camera()) {
         moved.set_camera(&camera).unwrap();
         decoded.set_camera(&camera).unwrap();
         let anew = whitted::Scene {
@@ -77,7 +78,9 @@ fn a_moved_scene_can_be_encoded() {
     moved.set_camera(&behind).unwrap();
     let mut bytes = vec![0; moved.encoded_len()];
     moved.encode(&mut bytes).unwrap();
-    assert!(draw(&other.decode(&bytes).unwrap()) == draw(&moved));
+    let decoded = other.decode(&bytes).unwrap();
+    assert!(draw(&decoded) == draw(&moved));
+    assert_eq!(decoded.camera(), behind);
 }
 
 /// Another scale, or none that differs by more than roundings.
@@ -180,6 +183,7 @@ fn a_camera_that_cannot_be_leaves_the_scene_as_it_was() {
             (Item::Camera, field, problem)
         );
         assert!(draw(&moved) == before);
+        assert_eq!(moved.camera(), file.scene().camera);
     }
     let narrow = Camera {
         fovy_deg: Real::ZERO,

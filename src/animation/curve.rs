@@ -82,65 +82,91 @@ pub(super) fn value(
 ) -> Vec3<Real> {
     // Of two keys at this time the second counts.
     let next = keys.partition_point(|key| key.time <= time);
-    let key = |index: usize| keys.get(index).copied();
-    let (Some(from), Some(to)) = (next.checked_sub(1).and_then(key), key(next)) else {
-        let end = key(next).or(keys.last().copied());
-        return end.map_or(Vec3::new(Real::ZERO, Real::ZERO, Real::ZERO), |key| {
-            key.value
-        });
-    };
-    let span = to.time - from.time;
-    let part = scaled(Real::ONE, time - from.time, span);
-    let way = to.value.zip(from.value, Real::saturating_sub);
-    if interpolation == Interpolation::Linear {
-        let moved = way.map(|way| way.saturating_mul(part));
-        return from.value.zip(moved, Real::saturating_add);
+    let from = next.checked_sub(1).and_then(|last| keys.get(last));
+    match (from, keys.get(next)) {
+        (Some(from), Some(to)) => {
+            let segment = Segment::new(from, to);
+            let part = ratio(time - from.time, segment.span);
+            let moved = match interpolation {
+                Interpolation::Linear => segment.way.map(|way| way.saturating_mul(part)),
+                Interpolation::Smooth => segment.smooth(neighbors(keys, next, period), part),
+            };
+            from.value.zip(moved, Real::saturating_add)
+        }
+        (Some(end), None) | (None, Some(end)) => end.value,
+        (None, None) => Vec3::new(Real::ZERO, Real::ZERO, Real::ZERO),
     }
-    let before = match next.checked_sub(2) {
-        Some(index) => key(index),
-        None => period.and_then(|period| around(keys, period)?.0),
-    };
-    let after = match key(next + 1) {
-        Some(after) => Some(after),
-        None => period.and_then(|period| around(keys, period)?.1),
-    };
-    // The ways that the slopes at both ends would lead in the whole span.
-    let slope = |key: Option<Key>, end: Key| {
-        let key = key.filter(|key| key.time != end.time)?;
-        let other = (end.time - key.time).abs();
-        let across = end.value.zip(key.value, Real::saturating_sub);
-        let across = if key.time < end.time {
-            across
-        } else {
-            across.map(Real::saturating_neg)
-        };
-        Some(way.zip(across, |way, across| {
-            let sum = other.saturating_add(span);
-            let steep = scaled(scaled(across, span, other), span, sum);
-            scaled(way, other, sum).saturating_add(steep)
-        }))
-    };
-    let (first, last) = match (slope(before, from), slope(after, to)) {
-        (Some(first), Some(last)) => (first, last),
-        (Some(first), None) => (first, opposite(way, first)),
-        (None, Some(last)) => (opposite(way, last), last),
-        (None, None) => (way, way),
-    };
-    let ends = first.zip(last, |first, last| (first, last));
-    let moved = way.zip(ends, |way, (first, last)| hermite(way, first, last, part));
-    from.value.zip(moved, Real::saturating_add)
 }
 
-/// The slope at the other end of a parabola.
-fn opposite(way: Vec3<Real>, slope: Vec3<Real>) -> Vec3<Real> {
-    way.zip(slope, |way, slope| {
-        way.saturating_add(way).saturating_sub(slope)
-    })
+/// From a key to the next, which is later.
+struct Segment<'k> {
+    from: &'k Key,
+    to: &'k Key,
+    span: Real,
+    way: Vec3<Real>,
+}
+
+impl<'k> Segment<'k> {
+    fn new(from: &'k Key, to: &'k Key) -> Self {
+        Self {
+            from,
+            to,
+            span: to.time - from.time,
+            way: to.value.zip(from.value, Real::saturating_sub),
+        }
+    }
+
+    /// How far a cubic has come after a part of the way, between keys before and
+    /// after.
+    fn smooth(&self, [before, after]: [Option<Key>; 2], part: Real) -> Vec3<Real> {
+        let first = before.and_then(|before| self.slope(&Segment::new(&before, self.from)));
+        let last = after.and_then(|after| self.slope(&Segment::new(self.to, &after)));
+        let (first, last) = match (first, last) {
+            (Some(first), Some(last)) => (first, last),
+            (Some(first), None) => (first, self.opposite(first)),
+            (None, Some(last)) => (self.opposite(last), last),
+            (None, None) => return self.way.map(|way| way.saturating_mul(part)),
+        };
+        let ends = first.zip(last, |first, last| (first, last));
+        self.way
+            .zip(ends, |way, (first, last)| hermite(way, first, last, part))
+    }
+
+    /// The slope of the parabola through this segment and a neighbor where they
+    /// meet, as the way that it would lead in this segment's time; `None` at a
+    /// doubled key.
+    fn slope(&self, neighbor: &Segment<'_>) -> Option<Vec3<Real>> {
+        if neighbor.span == 0 {
+            return None;
+        }
+        let weight = ratio(neighbor.span, neighbor.span.saturating_add(self.span));
+        let stretch = ratio(self.span, neighbor.span).saturating_mul(Real::ONE - weight);
+        Some(self.way.zip(neighbor.way, |way, other| {
+            way.saturating_mul(weight)
+                .saturating_add(other.saturating_mul(stretch))
+        }))
+    }
+
+    /// The slope at the other end of a parabola.
+    fn opposite(&self, slope: Vec3<Real>) -> Vec3<Real> {
+        self.way.zip(slope, |way, slope| {
+            way.saturating_add(way).saturating_sub(slope)
+        })
+    }
+}
+
+/// The keys before and after the segment that ends at key `next`.
+fn neighbors(keys: &[Key], next: usize, period: Option<Real>) -> [Option<Key>; 2] {
+    let around = period.and_then(|period| around(keys, period));
+    let [last, first] = around.unwrap_or([None, None]);
+    let before = next.checked_sub(2).and_then(|index| keys.get(index));
+    let after = keys.get(next + 1);
+    [before.copied().or(last), after.copied().or(first)]
 }
 
 /// Of a loop whose ends are alike: the key before its first and the one after
 /// its last.
-fn around(keys: &[Key], period: Real) -> Option<(Option<Key>, Option<Key>)> {
+fn around(keys: &[Key], period: Real) -> Option<[Option<Key>; 2]> {
     let (first, last) = (keys.first()?, keys.last()?);
     if first.value != last.value || first.time != 0 || last.time != period {
         return None;
@@ -151,7 +177,7 @@ fn around(keys: &[Key], period: Real) -> Option<(Option<Key>, Option<Key>)> {
     };
     let before = keys.iter().rev().nth(1).map(|key| shifted(key, -period));
     let after = keys.get(1).map(|key| shifted(key, period));
-    Some((before, after))
+    Some([before, after])
 }
 
 /// How far a cubic has come after a part of its way, by the slopes at its ends:
@@ -168,9 +194,8 @@ fn hermite(way: Real, first: Real, last: Real, part: Real) -> Real {
     bent.saturating_mul(part)
 }
 
-/// `x * dividend / divisor`, rounded towards zero.
-fn scaled(x: Real, dividend: Real, divisor: Real) -> Real {
-    let product = i128::from(x.to_bits()) * i128::from(dividend.to_bits());
-    let quotient = product.checked_div(divisor.to_bits().into()).unwrap_or(0);
-    Real::from_bits(quotient.clamp(i64::MIN.into(), i64::MAX.into()) as i64)
+/// `dividend / divisor` of times, rounded down.
+fn ratio(dividend: Real, divisor: Real) -> Real {
+    let quotient = (i128::from(dividend.to_bits()) << 32).checked_div(divisor.to_bits().into());
+    Real::from_bits(quotient.unwrap_or(0).min(i64::MAX.into()) as i64)
 }

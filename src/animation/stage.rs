@@ -10,6 +10,10 @@ use crate::{Light, Object, Real, Scene};
 /// camera moves, [`Animation::camera`] with
 /// [`PreparedScene::set_camera`](crate::PreparedScene::set_camera) does less.
 ///
+/// An object takes 144 bytes, a light 72. Three tracks and four spheres take a
+/// Cortex-M3 some 40,000 instructions to move, 26,000 to prepare, and the camera
+/// alone 3,600 to set; to draw them at 320x240 takes 88 million.
+///
 /// ```
 /// use whitted::*;
 ///
@@ -81,5 +85,17 @@ impl<const OBJECTS: usize, const LIGHTS: usize> Stage<OBJECTS, LIGHTS> {
             lights: &self.lights,
             ..*still
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What the documentation of [`Stage`] says.
+    #[test]
+    fn items_take_as_many_bytes_as_documented() {
+        assert_eq!(size_of::<Object>(), 144);
+        assert_eq!(size_of::<Light>(), 72);
     }
 }

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use anyhow::{Result, bail};
 
 use crate::command::{self, cargo};
-use crate::firmware::{FLOAT, HEADLESS, LM3S6965EVB, PRODUCTS, V6M};
+use crate::firmware::{FLOAT, HEADLESS, LM3S6965EVB, MOTION, PRODUCTS, V6M};
 use crate::{bench, tidy, tools};
 
 type Step = (&'static str, fn() -> Result<()>);
@@ -77,7 +77,8 @@ fn clippy_thumb() -> Result<()> {
     let firmware = [LM3S6965EVB, PRODUCTS]
         .into_iter()
         .chain(HEADLESS)
-        .chain(FLOAT);
+        .chain(FLOAT)
+        .chain(MOTION);
     let packages = firmware.map(|firmware| (firmware.package, firmware.target));
     for (package, target) in [("whitted", V6M)].into_iter().chain(packages) {
         let mut clippy = cargo();

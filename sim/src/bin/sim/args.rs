@@ -30,6 +30,10 @@ pub(crate) enum Command {
         /// A scene file, or a compiled scene.
         scene: PathBuf,
     },
+    /// Render a scene that moves to an animated GIF or PNG, or to numbered PNGs.
+    ///
+    /// What moves stands in the scene's table `animation`; without one the camera orbits once.
+    Animate(Animate),
     /// Write a scene in the compact form that microcontrollers decode.
     Compile {
         /// A scene file.
@@ -61,6 +65,8 @@ pub(crate) struct Render {
     pub(crate) quality: Quality,
     #[command(flatten)]
     pub(crate) shown: Shown,
+    #[command(flatten)]
+    pub(crate) passes: Passes,
     /// Smooth edges: this many more rays through pixels that differ from their neighbors.
     #[arg(long, value_enum, value_name = "N", conflicts_with_all = ["order", "most"])]
     pub(crate) antialias: Option<Antialias>,
@@ -70,6 +76,25 @@ pub(crate) struct Render {
     /// Print rays, intersection tests, time, what microcontrollers would take, and checksum.
     #[arg(long)]
     pub(crate) stats: bool,
+}
+
+#[derive(clap::Args)]
+pub(crate) struct Animate {
+    /// A scene file, or the name of a scene in scenes/.
+    pub(crate) scene: PathBuf,
+    /// A GIF, an APNG (FILE.apng or FILE.png), or a directory for numbered PNGs.
+    #[arg(short, long, value_name = "FILE|DIR")]
+    pub(crate) output: PathBuf,
+    /// Frames a second [default: 20].
+    #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..=100))]
+    pub(crate) fps: Option<u16>,
+    /// How many frames [default: as many as the animation takes].
+    #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..))]
+    pub(crate) frames: Option<u16>,
+    #[command(flatten)]
+    pub(crate) quality: Quality,
+    #[command(flatten)]
+    pub(crate) shown: Shown,
 }
 
 #[derive(clap::Args)]
@@ -133,8 +158,6 @@ pub(crate) struct Shown {
     /// From light to the display's values.
     #[arg(long, value_enum, default_value_t)]
     transfer: Transfer,
-    #[command(flatten)]
-    pub(crate) passes: Passes,
 }
 
 impl Shown {
@@ -166,6 +189,20 @@ pub(crate) struct Passes {
 
 impl Passes {
     const ALL: u8 = 5;
+
+    /// The sides of the blocks, pass by pass.
+    pub(crate) fn blocks(self) -> impl Iterator<Item = u32> {
+        let blocks: &[u32] = match self.order {
+            Order::Scanlines => &[1],
+            Order::Progressive => &[16, 8, 4, 2, 1],
+        };
+        blocks.iter().copied().take(self.most.into())
+    }
+
+    /// How many rows of blocks a picture has in all passes.
+    pub(crate) fn rows(self, height: u32) -> u32 {
+        self.blocks().map(|block| height.div_ceil(block)).sum()
+    }
 }
 
 impl Default for Passes {

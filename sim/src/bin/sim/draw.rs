@@ -25,14 +25,30 @@ pub(crate) struct Drawing {
     pub(crate) time: Duration,
 }
 
+/// What of a picture is drawn, and what it looks like.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct Look {
+    pub(crate) shown: Shown,
+    pub(crate) samples: Option<Samples>,
+    pub(crate) passes: Passes,
+}
+
 /// Draws on a display.
-pub(crate) fn draw(
+pub(crate) fn draw(scene: &PreparedScene<'_>, size: Size, look: Look) -> Outcome<Drawing> {
+    let mut progress = Progress::new(look.passes.rows(size.height));
+    let (image, work) = frame(scene, size, look, &mut progress)?;
+    let time = progress.finish();
+    Ok(Drawing { image, work, time })
+}
+
+/// Draws on a display, as a part of more work.
+pub(crate) fn frame(
     scene: &PreparedScene<'_>,
     size: Size,
-    shown: Shown,
-    samples: Option<Samples>,
-) -> Outcome<Drawing> {
-    let draw = match shown.format {
+    look: Look,
+    progress: &mut Progress,
+) -> Outcome<(OutputImage<Rgb888>, Work)> {
+    let draw = match look.shown.format {
         Format::Rgb888 => on_display::<Rgb888>,
         Format::Rgb666 => on_display::<Rgb666>,
         Format::Rgb565 => on_display::<Rgb565>,
@@ -42,68 +58,62 @@ pub(crate) fn draw(
         Format::Gray2 => on_display::<Gray2>,
         Format::Binary => on_display::<BinaryColor>,
     };
-    draw(scene, size, shown, samples)
+    draw(scene, size, look, progress)
 }
 
 fn on_display<C>(
     scene: &PreparedScene<'_>,
     size: Size,
-    shown: Shown,
-    samples: Option<Samples>,
-) -> Outcome<Drawing>
+    look: Look,
+    progress: &mut Progress,
+) -> Outcome<(OutputImage<Rgb888>, Work)>
 where
     C: PixelColor + whitted::Pixel + From<BinaryColor> + Into<Rgb888>,
 {
     let mut display = SimulatorDisplay::<C>::new(size);
     let work = Work::new(scene);
-    let (work, time) = match samples {
+    let work = match look.samples {
         None => {
             let mut renderer = Renderer::with_observer(scene, size, work);
-            renderer.set_output(shown.output());
-            let time = in_steps(&mut renderer, shown.passes, &mut display)?;
-            (renderer.observer().clone(), time)
+            renderer.set_output(look.shown.output());
+            in_steps(&mut renderer, look.passes, &mut display, progress)?;
+            renderer.observer().clone()
         }
         Some(samples) => {
             let mut memory = two_lines(size);
             let mut renderer = Antialiased::with_observer(scene, size, samples, &mut memory, work)?;
-            renderer.set_output(shown.output());
-            let mut watched = Watched {
-                display: &mut display,
-                progress: Progress::new(size.height),
-            };
-            renderer.draw(&mut watched)?;
-            let time = watched.progress.finish();
-            (renderer.observer().clone(), time)
+            renderer.set_output(look.shown.output());
+            let display = &mut display;
+            renderer.draw(&mut Watched { display, progress })?;
+            renderer.observer().clone()
         }
     };
     // The default settings show the display's values as they are.
     let image = display.to_rgb_output_image(&OutputSettings::default());
-    Ok(Drawing { image, work, time })
+    Ok((image, work))
 }
 
-/// Draws some passes, and tells how long that took.
+/// Draws some passes.
 fn in_steps<D>(
     renderer: &mut Renderer<'_, impl Observer>,
     passes: Passes,
     display: &mut D,
-) -> Result<Duration, D::Error>
+    progress: &mut Progress,
+) -> Result<(), D::Error>
 where
     D: DrawTarget<Color: whitted::Pixel>,
 {
-    let size = renderer.size();
-    let area = Rectangle::new(Point::zero(), size);
-    let (mut steps, blocks): (_, &[u32]) = match passes.order {
-        Order::Scanlines => (Steps::scanlines(area), &[1]),
-        Order::Progressive => (Steps::progressive(area), &[16, 8, 4, 2, 1]),
+    let area = Rectangle::new(Point::zero(), renderer.size());
+    let mut steps = match passes.order {
+        Order::Scanlines => Steps::scanlines(area),
+        Order::Progressive => Steps::progressive(area),
     };
-    let blocks = blocks.iter().take(passes.most.into());
-    let finest = blocks.clone().min().copied().unwrap_or(1);
-    let mut progress = Progress::new(blocks.map(|block| size.height.div_ceil(*block)).sum());
+    let finest = passes.blocks().last().unwrap_or(1);
     while steps.block() >= finest {
         renderer.step(&mut steps, Step::Line, display)?;
         progress.line();
     }
-    Ok(progress.finish())
+    Ok(())
 }
 
 /// The memory that smooth edges take.

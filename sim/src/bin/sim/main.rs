@@ -1,8 +1,9 @@
-//! The host simulator: renders scene files, compares pictures, explains pixels,
+//! The host simulator: renders and animates scene files, compares pictures, explains pixels,
 //! checks and compiles scenes.
 //!
 //! args ── open (scene) ── draw or linear ──> PNG, terminal, window
 
+mod animate;
 mod args;
 mod boards;
 mod compare;
@@ -41,6 +42,7 @@ fn run(args: Args) -> Outcome {
     match args.command {
         None => render::default_scene(),
         Some(Command::Render(options)) => render::render(&options),
+        Some(Command::Animate(options)) => animate::animate(&options),
         Some(Command::Compare { a, b }) => compare::compare(&a, &b),
         Some(Command::Check { scene }) => scene::check(&scene),
         Some(Command::Compile { scene, output }) => scene::compile(&scene, &output),

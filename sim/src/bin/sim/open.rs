@@ -61,17 +61,9 @@ impl Scene {
         buffer: &'b mut Buffer,
     ) -> Outcome<PreparedScene<'b>> {
         let mut scene = self.prepare(buffer)?;
-        if let Some(max_depth) = quality.max_depth {
-            let set = scene.set_max_depth(max_depth);
-            set.map_err(|error| format!("--max-depth {max_depth}: {}", error.problem))?;
-        }
-        if let Some(min_weight) = quality.min_weight {
-            let set = scene.set_min_weight(min_weight);
-            set.map_err(|error| format!("--min-weight {min_weight}: {}", error.problem))?;
-        }
+        overrule(&mut scene, quality)?;
         Ok(scene)
     }
-
     /// What the scene calls itself.
     pub(crate) fn title(&self) -> Option<&str> {
         match self {
@@ -87,6 +79,19 @@ impl Scene {
             Self::Compiled { .. } => None,
         }
     }
+}
+
+/// Sets what the options say in place of the scene.
+pub(crate) fn overrule(scene: &mut PreparedScene<'_>, quality: &Quality) -> Outcome {
+    if let Some(max_depth) = quality.max_depth {
+        let set = scene.set_max_depth(max_depth);
+        set.map_err(|error| format!("--max-depth {max_depth}: {}", error.problem))?;
+    }
+    if let Some(min_weight) = quality.min_weight {
+        let set = scene.set_min_weight(min_weight);
+        set.map_err(|error| format!("--min-weight {min_weight}: {}", error.problem))?;
+    }
+    Ok(())
 }
 
 fn decode(bytes: &[u8]) -> Result<(), DecodeError> {

@@ -15,7 +15,7 @@ pub(crate) struct Progress {
 
 impl Progress {
     /// The work begins.
-    pub(crate) fn new(lines: u32) -> Self {
+    pub(crate) fn new(lines: impl Into<u64>) -> Self {
         Self {
             start: Instant::now(),
             lines: lines.into(),
@@ -54,7 +54,7 @@ fn bar(lines: u64) -> ProgressBar {
 /// A display that tells of each line drawn on it.
 pub(crate) struct Watched<'d, D> {
     pub(crate) display: &'d mut D,
-    pub(crate) progress: Progress,
+    pub(crate) progress: &'d mut Progress,
 }
 
 impl<D: Dimensions> Dimensions for Watched<'_, D> {

@@ -6,8 +6,8 @@ use embedded_graphics::geometry::Size;
 use whitted_sim::scene_file::Buffer;
 use whitted_sim::{png16, render as library};
 
-use crate::args::{Render, Shown};
-use crate::draw::draw;
+use crate::args::Render;
+use crate::draw::{Look, draw};
 use crate::linear::linear;
 use crate::open::Scene;
 use crate::outcome::Outcome;
@@ -18,7 +18,7 @@ pub(crate) fn default_scene() -> Outcome {
     let scene = Scene::open(Path::new("whitted"))?;
     let mut buffer = Box::new(Buffer::new());
     let prepared = scene.prepare(&mut buffer)?;
-    let drawing = draw(&prepared, Size::new(320, 240), Shown::default(), None)?;
+    let drawing = draw(&prepared, Size::new(320, 240), Look::default())?;
     terminal::show(&drawing.image)?;
     report::save(&drawing.image, Path::new("whitted.png"))?;
     Ok(())
@@ -44,7 +44,12 @@ pub(crate) fn render(options: &Render) -> Outcome {
         }
         library::checksum(&linear.picture)
     } else {
-        let drawing = draw(&prepared, size, options.shown, samples)?;
+        let look = Look {
+            shown: options.shown,
+            samples,
+            passes: options.passes,
+        };
+        let drawing = draw(&prepared, size, look)?;
         report::save(&drawing.image, &output)?;
         if !options.stats {
             return Ok(());
