@@ -7,7 +7,7 @@
 use heapless::VecView;
 
 use crate::Vec3;
-use crate::num::{Length, power};
+use crate::num::Length;
 use crate::prepared::{Light, Object};
 use crate::ray::Point;
 use crate::shape::{Around, Bound, Shape, Sight};
@@ -34,30 +34,22 @@ impl Index<'_> {
     }
 }
 
-/// The least base, `U1F31`, of which a power with an exponent from 1, `U16F16`,
-/// is at least half a step of a [`Factor`](crate::num::Factor); or one below it.
-pub(crate) fn dimmest(exponent: u32) -> u32 {
-    // The fraction of the exponent would only raise it.
-    let is_dim = |base| power(base, exponent >> 16 << 16) < 1 << 15;
-    (0..31).rev().fold(0, |base, bit| {
-        let next = base | 1 << bit;
-        if is_dim(next) { next } else { base }
-    }) + 1
-}
-
 /// What a light sees of the finite objects, and whether something endless may
 /// be between it and one of them.
-pub(crate) fn look(light: &mut Light, objects: &[Object], sights: &mut [Sight]) {
-    light.is_walled = false;
+pub(crate) fn look(light: &mut Light, objects: &[Object], endless: &[u16], sights: &mut [Sight]) {
+    let parts = |number: &u16, bound: &Bound| {
+        let object = objects.get(usize::from(*number));
+        object.is_some_and(|object| may_part(&object.shape, light.position, bound))
+    };
     let bounds = objects
         .iter()
         .filter_map(|object| object.shape.bounding_sphere());
+    let mut is_walled = false;
     for (bound, sight) in bounds.zip(sights) {
         *sight = bound.seen_from(light.position);
-        light.is_walled |= objects
-            .iter()
-            .any(|object| may_part(&object.shape, light.position, &bound));
+        is_walled |= endless.iter().any(|number| parts(number, &bound));
     }
+    light.is_walled = is_walled;
 }
 
 /// Whether something endless may be between a point and something finite.
@@ -70,6 +62,6 @@ fn may_part(endless: &Shape, point: Vec3<Length>, bound: &Bound) -> bool {
             );
             from.signum() != to.signum() || to.abs() < i64::from(bound.radius.to_bits())
         }
-        _ => !endless.is_finite(),
+        _ => true,
     }
 }

@@ -2,7 +2,7 @@
 
 use heapless::Vec;
 
-use crate::acceleration::{Index, dimmest, look};
+use crate::acceleration::{Index, look};
 use crate::error::Full;
 use crate::prepared::{Light, Material, Object, Room, Settings, Sights};
 use crate::shape::{Around, Sight};
@@ -11,7 +11,7 @@ use crate::{Camera, DecodeError, PreparedScene, Real, Scene, SceneError, compile
 /// Room for a prepared scene, in a `static` or on the stack: so many objects,
 /// lights and materials.
 ///
-/// An object takes 104 bytes, 26 more for its bounds and 16 for each light; a
+/// An object takes 112 bytes, 26 more for its bounds and 16 for each light; a
 /// light takes 28, a material 56.
 ///
 /// ```
@@ -87,7 +87,7 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize>
         };
         index.fill(&self.objects);
         for (light, sights) in self.lights.iter_mut().zip(&mut self.sights) {
-            look(light, &self.objects, sights);
+            look(light, &self.objects, &self.endless, sights);
         }
         PreparedScene {
             sights: Sights {
@@ -125,11 +125,9 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize> Room
             .map_err(|_| Full::new("lights", LIGHTS))
     }
 
-    fn push_material(&mut self, mut material: Material) -> Result<(), Full> {
-        material.dimmest = dimmest(material.shininess);
-        material.branches = !material.kr.is_black() || !material.kt.is_black();
+    fn push_material(&mut self, material: Material) -> Result<(), Full> {
         self.materials
-            .push(material)
+            .push(material.complete())
             .map_err(|_| Full::new("materials", MATERIALS))
     }
 }

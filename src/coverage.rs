@@ -81,12 +81,10 @@ impl Coverage {
         self.change = u32::MAX;
         for span in &self.spans {
             let (from, to) = (u32::from(span.from), u32::from(span.to));
-            let next = if x < from { from } else { to };
-            if x >= to {
-                continue;
-            }
-            self.change = self.change.min(next);
-            if x >= from {
+            if x < from {
+                self.change = self.change.min(from);
+            } else if x < to {
+                self.change = self.change.min(to);
                 // There is room for all of them.
                 let _ = self.here.push(span.object);
             }

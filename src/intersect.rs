@@ -64,8 +64,8 @@ pub(crate) fn nearest(
         return nearest_from_far(scene, ray, part, observer);
     }
     let mut nearest = Nearest::new(scene, ray, part);
-    nearest.meet_finite(observer);
     let left = ray.start.left();
+    nearest.meet_finite(left, observer);
     for &object in scene.endless {
         if object != left {
             nearest.meet(object, observer);
@@ -114,11 +114,11 @@ impl<'r> Nearest<'r> {
         }
     }
 
-    /// Looks at the finite objects whose bounds the ray meets.
+    /// Looks at the finite objects whose bounds the ray meets, but for the one
+    /// that it has left for good.
     #[inline(always)]
-    fn meet_finite(&mut self, observer: &mut impl Observer) {
+    fn meet_finite(&mut self, left: u16, observer: &mut impl Observer) {
         let (origin, direction) = (self.ray.origin.coordinates, self.ray.direction);
-        let left = self.ray.start.left();
         observer.bounds(self.scene.finite.len() as u32);
         for around in self.scene.finite {
             if around.may_meet(origin, direction) && around.object != left {
@@ -252,7 +252,7 @@ fn nearest_from_far(
     let endless = nearest_endless(scene, ray, observer);
     let finite = ray.approaching().and_then(|(ray, skipped)| {
         let mut nearest = Nearest::new(scene, &ray, part);
-        nearest.meet_finite(observer);
+        nearest.meet_finite(ray.start.left(), observer);
         let distance = i64::from(nearest.limit.to_bits()) + skipped;
         Some((nearest.hit(observer)?, distance))
     });

@@ -46,14 +46,16 @@ pub trait Observer {
         let _ = kind;
     }
 
-    /// A ray was tested against so many objects, those whose bounds it meets.
+    /// The ray that was told of last was tested against an object whose bound
+    /// it meets; `met` if the surface is in its way. Objects that it passes by
+    /// are not told of, those looked for near and far are told of twice.
     #[inline(always)]
     fn test(&mut self, shape: ShapeKind, met: bool) {
         let _ = (shape, met);
     }
 
     /// The ray that was told of last was tested against the bounds of so many
-    /// objects. One that passes an object's bound by is not tested against it.
+    /// objects.
     #[inline(always)]
     fn bounds(&mut self, count: u32) {
         let _ = count;

@@ -34,7 +34,7 @@ pub(crate) fn prepare(scene: &Scene<'_>, room: &mut impl Room) -> Result<Setting
             position: frame.point(light.position),
             diffuse: intensity(light.diffuse),
             specular: intensity(light.specular),
-            is_walled: false,
+            ..Light::default()
         })?;
     }
     for material in scene.materials {
@@ -165,11 +165,10 @@ fn material(material: &scene::Material, scene: &Scene<'_>, exposure: u8) -> Mate
         kr: coefficient(material.kr),
         kt: coefficient(material.kt),
         shininess: (material.shininess.to_bits() >> 16) as u32,
-        branches: false,
-        dimmest: 0,
         ior: Length::from_bits(((ior.to_bits() + 8) >> 4) as i32),
         inverse_ior: Length::from_bits(inverse as i32),
         blinn: shading == Shading::BlinnPhong,
+        ..Material::default()
     }
 }
 

@@ -6,7 +6,7 @@
 //! lights fit 0 to 1.
 
 use crate::error::Full;
-use crate::num::{Factor, Length, Radiance, Unit};
+use crate::num::{Factor, Length, Radiance, Unit, power};
 use crate::ray::Point;
 use crate::shape::{Around, Plane, Shape, Sight};
 use crate::texture::Texture;
@@ -149,9 +149,9 @@ pub(crate) struct Material {
     pub(crate) kt: Color<Factor>,
     /// `U16F16`, 1 to 4096.
     pub(crate) shininess: u32,
-    /// Whether it mirrors light or lets it through.
+    /// Whether it mirrors light or lets it through: derived.
     pub(crate) branches: bool,
-    /// The least cosine of which a highlight can be seen, `U1F31`.
+    /// The least cosine of which a highlight can be seen, `U1F31`: derived.
     pub(crate) dimmest: u32,
     /// Index of refraction, 1 to 4, and its reciprocal.
     pub(crate) ior: Length,
@@ -174,6 +174,26 @@ impl Material {
         inverse_ior: Length::ONE,
         blinn: false,
     };
+
+    /// The material with what follows from its coefficients.
+    pub(crate) fn complete(self) -> Self {
+        Self {
+            branches: !self.kr.is_black() || !self.kt.is_black(),
+            dimmest: dimmest(self.shininess),
+            ..self
+        }
+    }
+}
+
+/// The least base, `U1F31`, of which a power with an exponent from 1, `U16F16`,
+/// is at least half a step of a [`Factor`]; or one below it.
+fn dimmest(exponent: u32) -> u32 {
+    // The fraction of the exponent would only raise it.
+    let is_dim = |base| power(base, exponent >> 16 << 16) < 1 << 15;
+    (0..31).rev().fold(0, |base, bit| {
+        let next = base | 1 << bit;
+        if is_dim(next) { next } else { base }
+    }) + 1
 }
 
 impl<'b> PreparedScene<'b> {
@@ -223,7 +243,7 @@ mod tests {
     /// What the documentation of [`SceneBuffer`] says.
     #[test]
     fn items_take_as_many_bytes_as_documented() {
-        assert_eq!(size_of::<Object>(), 104);
+        assert_eq!(size_of::<Object>(), 112);
         assert_eq!(size_of::<Around>(), 24);
         assert_eq!(size_of::<Sight>(), 16);
         assert_eq!(size_of::<Light>(), 28);

@@ -12,8 +12,9 @@ use crate::{Color, Output, Pixel, PreparedScene};
 /// Draws a scene line by line, each pixel once, without a framebuffer; or step by
 /// step, in other orders too: [`step`](Self::step).
 ///
-/// It holds the stack of rays and what a line may show, so it takes 2.2 KB; keep it in a `static` or
-/// high up on the stack. The picture's aspect follows its size.
+/// It takes 2.2 KB, as it holds the stack of rays and which objects a line may
+/// show: keep it in a `static` or high up on the stack. The picture's aspect
+/// follows its size.
 ///
 /// ```
 /// use embedded_graphics::mock_display::MockDisplay;

@@ -6,8 +6,8 @@ use core::ptr;
 
 use crate::intersect::{Hit, Part};
 use crate::num::{Factor, Product, Radiance, Unit, power, reciprocal_root};
-use crate::observer::{Observer, RayKind, share};
-use crate::prepared::{Light, Material, PreparedScene};
+use crate::observer::{Observer, share};
+use crate::prepared::{Material, PreparedScene};
 use crate::ray::{Again, Point, Ray, Start};
 use crate::shadow::ShadowRay;
 use crate::shape::Shape;
@@ -65,12 +65,6 @@ impl<'s> Surface<'s> {
             }
         };
         let material = scene.material(object.texture.material(point));
-        // Refraction magnifies what the length of a normal is off.
-        let normal = if material.kt.is_black() {
-            normal
-        } else {
-            normal.renormalized()
-        };
         let cosine = ray.direction.cosine(normal);
         start.inward = cosine > Unit::ZERO;
         Self {
@@ -142,8 +136,15 @@ impl<'s> Surface<'s> {
             return;
         }
         let to_light = way.normalized().0;
+        let shadow = ShadowRay {
+            light,
+            to_light,
+            point: &self.point,
+            view: &self.view,
+            start: &self.start,
+        };
         let mut left = None;
-        let is_lit = self.is_lit(scene, light, index, to_light, &mut left, observer);
+        let is_lit = shadow.arrives(scene, index, &mut left, observer);
         observer.shadow(
             index as u16,
             is_lit.then_some(left.unwrap_or(Color::WHITE)).map(share),
@@ -164,46 +165,6 @@ impl<'s> Surface<'s> {
                 *sum = sum.plus(material.ks.reflect(highlight, specular));
             }
         }
-    }
-
-    /// Whether light comes through, and what the surfaces on its way leave of it;
-    /// `None` if that is all.
-    #[inline(always)]
-    fn is_lit(
-        &self,
-        scene: &PreparedScene<'_>,
-        light: &Light,
-        index: usize,
-        to_light: Vec3<Unit>,
-        left: &mut Option<Color<Factor>>,
-        observer: &mut impl Observer,
-    ) -> bool {
-        observer.ray(RayKind::Shadow);
-        observer.bounds(scene.finite.len() as u32);
-        let left_behind = self.start.left();
-        let mut passes = |number| {
-            if number == left_behind {
-                return true;
-            }
-            let shadow = ShadowRay {
-                light,
-                to_light,
-                point: &self.point,
-                view: &self.view,
-                start: &self.start,
-            };
-            shadow.passes(scene, number, left, observer)
-        };
-        for (sight, around) in scene.sights.by_light(index).iter().zip(scene.finite) {
-            // The opposite direction has the same line.
-            if sight.may_meet(to_light) && !passes(around.object) {
-                return false;
-            }
-        }
-        if self.start.is_finite && !light.is_walled && self.point.is_near() {
-            return true;
-        }
-        scene.endless.iter().all(|&object| passes(object))
     }
 
     /// Phong's `(R_L · -V)^s` or Blinn's `(H · n)^s`.

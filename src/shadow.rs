@@ -5,7 +5,7 @@
 //! what lets light through, or is of a rarer shape, is looked at more closely.
 
 use crate::num::{Factor, Length, Unit};
-use crate::observer::Observer;
+use crate::observer::{Observer, RayKind};
 use crate::prepared::{Light, Object, PreparedScene};
 use crate::ray::{Point, Ray, Start};
 use crate::shape::{Plane, Quadric, Shape, Sphere};
@@ -29,6 +29,102 @@ pub(crate) struct ShadowRay<'s> {
 }
 
 impl ShadowRay<'_> {
+    /// Whether light number `index` arrives, and in `left` what the surfaces on
+    /// its way leave of it; `None` if that is all.
+    #[inline(always)]
+    pub(crate) fn arrives(
+        self,
+        scene: &PreparedScene<'_>,
+        index: usize,
+        left: &mut Option<Color<Factor>>,
+        observer: &mut impl Observer,
+    ) -> bool {
+        observer.ray(RayKind::Shadow);
+        observer.bounds(scene.finite.len() as u32);
+        let own = self.start.left();
+        for (sight, around) in scene.sights.by_light(index).iter().zip(scene.finite) {
+            // The opposite direction has the same line.
+            if sight.may_meet(self.to_light)
+                && around.object != own
+                && !self.passes(scene, around.object, left, observer)
+            {
+                return false;
+            }
+        }
+        if self.start.is_finite && !self.light.is_walled && self.point.is_near() {
+            return true;
+        }
+        let mut endless = scene.endless.iter().filter(|&&object| object != own);
+        endless.all(|&object| self.passes(scene, object, left, observer))
+    }
+
+    /// Takes what an object that may be in the way takes of the light; false if
+    /// nothing is left.
+    #[inline(never)]
+    fn passes(
+        self,
+        scene: &PreparedScene<'_>,
+        number: u16,
+        left: &mut Option<Color<Factor>>,
+        observer: &mut impl Observer,
+    ) -> bool {
+        let object = scene.object(number);
+        let is_start = number == self.start.object;
+        // What each crossing takes, if that is the same everywhere.
+        let kt = match object.texture {
+            Texture::Uniform(material) => Some(scene.material(material).kt),
+            Texture::Checker(_) => None,
+        };
+        let is_opaque = kt.is_some_and(Color::is_black);
+        let crossings = self.crossings(object, is_start, is_opaque, observer);
+        if crossings == Some(0) {
+            observer.test(object.shape.kind(), false);
+            return true;
+        }
+        if crossings.is_some() && is_opaque {
+            observer.test(object.shape.kind(), true);
+            return false;
+        }
+        let before = left.unwrap_or(Color::WHITE);
+        let rest = match (crossings, kt) {
+            (Some(crossings), Some(kt)) => (0..crossings).fold(before, |left, _| left.filtered(kt)),
+            _ => filtered(scene, &self, object, is_start, before, observer),
+        };
+        observer.test(object.shape.kind(), rest != before);
+        *left = Some(rest);
+        !rest.is_black()
+    }
+
+    /// How often the light meets an object, if that can be told for sure
+    /// without a root.
+    #[inline(always)]
+    fn crossings(
+        &self,
+        object: &Object,
+        is_start: bool,
+        is_opaque: bool,
+        observer: &mut impl Observer,
+    ) -> Option<u8> {
+        let light = self.light.position;
+        match &object.shape {
+            Shape::Sphere(sphere) => {
+                let [entry, exit] = sphere.is_crossed(light, -self.to_light, self.distance());
+                // From the inside of a sphere the exit is the lit point itself.
+                Some(u8::from(entry) + u8::from(exit && !is_start))
+            }
+            Shape::Plane(plane) => {
+                let is_between = plane.is_between(light, *self.point, *self.view);
+                (!is_between || plane.bounds.is_none()).then_some(is_between.into())
+            }
+            Shape::Sphereflake(flake) if is_opaque => {
+                let from = is_start.then_some(*self.start);
+                let reach = self.distance();
+                Some(flake.is_between(&self.ray(), from, reach, observer).into())
+            }
+            Shape::Quadric(_) | Shape::Sphereflake(_) => None,
+        }
+    }
+
     /// To the point, in steps of the point's shift.
     fn length(&self) -> Length {
         let way = self.point.to(self.light.position);
@@ -57,65 +153,6 @@ impl ShadowRay<'_> {
             start: Start::NOWHERE,
         }
     }
-}
-
-impl ShadowRay<'_> {
-    /// Takes what an object that may be in the way takes of the light; false if
-    /// nothing is left.
-    #[inline(never)]
-    pub(crate) fn passes(
-        &self,
-        scene: &PreparedScene<'_>,
-        number: u16,
-        left: &mut Option<Color<Factor>>,
-        observer: &mut impl Observer,
-    ) -> bool {
-        let object = scene.object(number);
-        let is_start = number == self.start.object;
-        let light = self.light.position;
-        // How often the light meets the surface, if that is known for sure.
-        let crossings = match &object.shape {
-            Shape::Sphere(sphere) => {
-                let [entry, exit] = sphere.is_crossed(light, -self.to_light, self.distance());
-                // From the inside of a sphere the exit is the lit point itself.
-                Some(u8::from(entry) + u8::from(exit && !is_start))
-            }
-            Shape::Plane(plane) => {
-                let is_between = plane.is_between(light, *self.point, *self.view);
-                (!is_between || plane.bounds.is_none()).then_some(is_between.into())
-            }
-            Shape::Sphereflake(flake) if is_opaque(scene, object) => {
-                let from = is_start.then_some(*self.start);
-                let reach = self.distance();
-                Some(flake.is_between(&self.ray(), from, reach, observer).into())
-            }
-            Shape::Quadric(_) | Shape::Sphereflake(_) => None,
-        };
-        let before = left.unwrap_or(Color::WHITE);
-        let rest = match (crossings, &object.texture) {
-            (Some(0), _) => {
-                observer.test(object.shape.kind(), false);
-                return true;
-            }
-            (Some(crossings), Texture::Uniform(material)) => {
-                let kt = scene.material(*material).kt;
-                if kt.is_black() {
-                    observer.test(object.shape.kind(), true);
-                    return false;
-                }
-                (0..crossings).fold(before, |left, _| left.filtered(kt))
-            }
-            _ => filtered(scene, self, object, is_start, before, observer),
-        };
-        observer.test(object.shape.kind(), rest != before);
-        *left = Some(rest);
-        !rest.is_black()
-    }
-}
-
-/// Whether an object lets no light through anywhere.
-fn is_opaque(scene: &PreparedScene<'_>, object: &Object) -> bool {
-    matches!(object.texture, Texture::Uniform(material) if scene.material(material).kt.is_black())
 }
 
 /// What is left of the light behind an object that may be in the way.

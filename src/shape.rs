@@ -59,14 +59,4 @@ impl Shape {
             Self::Sphereflake(_) => ShapeKind::Sphereflake,
         }
     }
-
-    /// Whether all of it is within ±1.
-    #[inline]
-    pub(crate) fn is_finite(&self) -> bool {
-        match self {
-            Self::Sphere(_) | Self::Sphereflake(_) => true,
-            Self::Plane(_) => false,
-            Self::Quadric(quadric) => !quadric.is_endless(),
-        }
-    }
 }

@@ -52,14 +52,15 @@ impl Kin {
     }
 }
 
-/// Branches put off: a transmitted ray waits while the reflected one beside
-/// it is followed, so there is at most one for each generation.
+/// What tracing a pixel writes to.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Scratch {
     stack: Stack,
     part: Part,
 }
 
+/// Branches put off: a transmitted ray waits while the reflected one beside
+/// it is followed, so there is at most one for each generation.
 type Stack = Vec<Branch, { MAX_DEPTH as usize }>;
 
 /// The radiance that an eye ray brings back, which may meet the `candidates` or,

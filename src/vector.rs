@@ -118,17 +118,12 @@ impl Vec3<Length> {
 #[inline(always)]
 pub(crate) fn normalize(v: Vec3<i32>, inverse: InverseLength) -> Vec3<Unit> {
     // The vector is shifted to a length of 2^30 to 2^31, so that the product
-    // with the reciprocal has the result in its upper half.
-    scaled(v, inverse.inverse, inverse.half_shift.wrapping_sub(1))
-}
-
-/// `v 2^shift` by a reciprocal of 1 to 2, `U1F31`, as Q30 if v is Q31.
-#[inline(always)]
-pub(crate) fn scaled(v: Vec3<i32>, reciprocal: u32, shift: u32) -> Vec3<Unit> {
-    // The reciprocal less 2 fits a signed word, for which chips have a multiply.
-    let less_two = reciprocal as i32;
+    // with the reciprocal has the result in its upper half. The reciprocal less
+    // 2 fits a signed word, for which chips have a multiply.
+    let shift = inverse.half_shift.wrapping_sub(1) & 31;
+    let less_two = inverse.inverse as i32;
     v.map(|c| {
-        let c = c << (shift & 31);
+        let c = c << shift;
         let product = (c.product(less_two) + (1 << 31)) >> 32;
         Unit::from_bits(c + product as i32)
     })

@@ -22,8 +22,13 @@ impl Directory {
     }
 
     fn sim(&self, args: &[&str]) -> Result<Output, Box<dyn Error>> {
+        Ok(self.command(args).output()?)
+    }
+
+    fn command(&self, args: &[&str]) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_sim"));
-        Ok(command.args(args).current_dir(&self.0).output()?)
+        command.args(args).current_dir(&self.0);
+        command
     }
 
     /// What it prints, if it succeeds.
@@ -136,6 +141,65 @@ fn passes_end_with_the_picture() -> Outcome {
             assert_eq!(*pixel, scanlines[corner], "({x}, {y}), blocks of {block}");
         }
     }
+    Ok(())
+}
+
+#[test]
+fn blocks_are_dithered_pixel_by_pixel() -> Outcome {
+    let here = Directory::new("blocks")?;
+    let camera = "camera = { eye = [0, 0, 1], look_at = [0, 0, 0], fovy_deg = 33 }\n";
+    fs::write(
+        here.0.join("gray.toml"),
+        format!("background = [0.3, 0.3, 0.3]\n{camera}"),
+    )?;
+    let render = |passes: &str| {
+        let order = ["--order", "progressive", "--passes", passes];
+        let args = [
+            "render",
+            "gray.toml",
+            "--size",
+            "40x30",
+            "--format",
+            "gray4",
+        ];
+        here.ok(&[&args[..], &order].concat())?;
+        Ok::<_, Box<dyn Error>>(png16::read(here.0.join("gray.png"))?.pixels)
+    };
+    let dithered = render("5")?;
+    assert!(dithered.iter().any(|pixel| *pixel != dithered[0]));
+    assert!(render("1")? == dithered);
+    Ok(())
+}
+
+#[test]
+fn displays_are_listed_and_drawn_on() -> Outcome {
+    let here = Directory::new("displays")?;
+    let list = here.ok(&["displays"])?;
+    assert_eq!(list.lines().count(), 7, "{list}");
+    for line in list.lines() {
+        let [name, size] = [0, 1].map(|column| line.split_whitespace().nth(column));
+        let (name, size) = (name.ok_or(line)?, size.ok_or(line)?);
+        here.ok(&["render", "whitted", "--display", name, "-o", "display.png"])?;
+        let picture = png16::read(here.0.join("display.png"))?;
+        assert_eq!(format!("{}x{}", picture.width, picture.height), size);
+    }
+    Ok(())
+}
+
+#[test]
+fn a_display_has_its_own_colors_and_scale() -> Outcome {
+    let here = Directory::new("display")?;
+    let args = ["render", "whitted", "--display", "ssd1306", "--scale", "2"];
+    here.ok(&args)?;
+    let picture = png16::read(here.0.join("whitted.png"))?;
+    assert_eq!((picture.width, picture.height), (256, 128));
+    let color = |rgb: [u16; 3]| rgb.map(|channel| 257 * channel);
+    let blues = [[0, 20, 40], [0, 210, 255]].map(color);
+    let mut pixels = picture
+        .pixels
+        .iter()
+        .map(|pixel| [pixel.r, pixel.g, pixel.b]);
+    assert!(pixels.all(|pixel| blues.contains(&pixel)));
     Ok(())
 }
 
@@ -539,7 +603,7 @@ fn bad_input_is_refused() -> Outcome {
     let here = Directory::new("bad")?;
     fs::write(here.0.join("bad.toml"), "colour = 1\n")?;
     fs::write(here.0.join("bad.scene"), [0xff, 0xfe])?;
-    let cases: [(&[&str], &str); 23] = [
+    let cases: [(&[&str], &str); 25] = [
         (
             &["render", "bad.toml"],
             "error: bad.toml:1: colour: a scene has no such key\n  help: ",
@@ -585,6 +649,14 @@ fn bad_input_is_refused() -> Outcome {
         (
             &["render", "whitted", "--size", "2x2", "-o", "no/x.png"],
             "error: no/x.png: ",
+        ),
+        (
+            &["render", "whitted", "--display", "ssd1360"],
+            "error: invalid value 'ssd1360' for '--display <NAME>': did you mean `ssd1306`?",
+        ),
+        (
+            &["render", "whitted", "--display", "ssd1306", "--size", "9x9"],
+            "error: the argument '--display <NAME>' cannot be used with '--size <WxH>'",
         ),
         (
             &["explain", "whitted", "320", "0"],
@@ -634,7 +706,11 @@ fn bad_input_is_refused() -> Outcome {
 #[cfg(not(feature = "window"))]
 #[test]
 fn a_window_needs_its_feature() -> Outcome {
-    let said = Directory::new("view")?.error(&["view"])?;
+    let here = Directory::new("view")?;
+    // Cargo would be asked for it.
+    let output = here.command(&["view"]).env_remove("CARGO").output()?;
+    assert_eq!(output.status.code(), Some(2));
+    let said = String::from_utf8(output.stderr)?;
     assert!(
         said.contains("libsdl2-dev") && said.contains("--features window"),
         "{said}"

@@ -1,8 +1,8 @@
 use fixed::types::I8F56;
 
 use crate::Vec3;
-use crate::num::{Length, Square, Unit, inverse_length, reciprocal};
-use crate::vector::{round_length, scaled};
+use crate::num::{Length, Square, Unit, inverse_length};
+use crate::vector::round_length;
 
 use super::bound::Bound;
 
@@ -12,35 +12,6 @@ pub(crate) struct Sphere {
     pub(crate) center: Vec3<Length>,
     pub(crate) radius: Length,
     radius_squared: I8F56,
-    inverse: Inverse,
-}
-
-/// The reciprocal of a radius: `mantissa * 2^(shift - 34)` with a radius in
-/// steps of a [`Length`].
-#[derive(Clone, Copy, Debug, Default)]
-struct Inverse {
-    /// `U1F31`, 1 to 2.
-    mantissa: u32,
-    shift: u8,
-}
-
-impl Inverse {
-    fn new(radius: Length) -> Self {
-        let bits = radius.to_bits().max(1) as u32;
-        let shift = bits.leading_zeros();
-        let normalized = bits << shift;
-        // A point may lie farther out by some steps and must not be shifted out.
-        if normalized > u32::MAX - 255 {
-            return Self {
-                mantissa: u32::MAX,
-                shift: shift as u8 - 2,
-            };
-        }
-        Self {
-            mantissa: reciprocal(normalized),
-            shift: shift as u8 - 1,
-        }
-    }
 }
 
 /// How a line passes through a sphere.
@@ -72,7 +43,6 @@ impl Sphere {
             center,
             radius,
             radius_squared: radius.square(),
-            inverse: Inverse::new(radius),
         }
     }
 
@@ -168,19 +138,9 @@ impl Sphere {
         [entry, Some(approach.middle + half)]
     }
 
-    /// The outward unit normal at a point of the sphere. Its length is off by as
-    /// much as the point is, in radii: up to 2^-21.
+    /// The outward unit normal at a point of the sphere.
     #[inline]
     pub(crate) fn normal(&self, point: Vec3<Length>) -> Vec3<Unit> {
-        /// Of a radius below 1/64.
-        const SMALL: u8 = 8;
-        let Inverse { mantissa, shift } = self.inverse;
-        let from_center = (point - self.center).map(Length::to_bits);
-        let normal = scaled(from_center, mantissa, shift.into());
-        if shift > SMALL {
-            normal.renormalized()
-        } else {
-            normal
-        }
+        (point - self.center).normalized().0
     }
 }

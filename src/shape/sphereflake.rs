@@ -14,10 +14,10 @@ mod word;
 pub(crate) use flake::{MAX_DEPTH, Parts, Path, Sphereflake};
 
 use crate::Vec3;
-use crate::num::{Length, Product, Unit};
+use crate::num::{Length, Unit};
 use crate::observer::Observer;
 use crate::ray::{Ray, Start};
-use crate::vector::{high, round_unit};
+use crate::vector::high;
 use node::Node;
 use walk::{Goal, Nodes, Waiting, Walk};
 
@@ -60,8 +60,8 @@ impl Sphereflake {
             if node.path == start || !node.is_within(reach) {
                 return reach;
             }
-            let half = node.half_chord();
-            for past_foot in [-half, half] {
+            let [entry, _, exit] = node.chord();
+            for past_foot in [entry, exit] {
                 let distance = node.distance_to(past_foot);
                 if distance > 0 {
                     if distance < reach {
@@ -91,10 +91,11 @@ impl Sphereflake {
             left >>= 4;
             generation += 1;
         }
+        let [_, middle, exit] = node.chord();
         Some(Meeting {
-            distance: (2 * node.distance).max(0),
+            distance: (2 * node.distance_to(middle)).max(0),
             path,
-            normal: node.normal(node.half_chord()),
+            normal: node.normal(exit),
         })
     }
 
@@ -140,8 +141,8 @@ impl Sphereflake {
             if is_left || !node.is_within(reach) {
                 return reach;
             }
-            let half = node.half_chord();
-            for past_foot in [-half, half] {
+            let [entry, _, exit] = node.chord();
+            for past_foot in [entry, exit] {
                 let distance = node.distance_to(past_foot);
                 if (1..reach).contains(&distance) && !visit(Length::from_bits(high(distance))) {
                     return 0;
@@ -161,18 +162,7 @@ impl Sphereflake {
         for generation in (0..generations).rev() {
             normal = direction::outward(normal, meeting.path >> (4 * generation) & 15);
         }
-        let normal = normal.map(Unit::from_bits);
-        let Vec3 { x: u, y: v, z: w } = self.axes;
-        let along = |u: Unit, v: Unit, w: Unit| {
-            let sum = u.product(normal.x) + v.product(normal.y) + w.product(normal.z);
-            round_unit(sum.to_bits(), 30)
-        };
-        Vec3::new(
-            along(u.x, v.x, w.x),
-            along(u.y, v.y, w.y),
-            along(u.z, v.z, w.z),
-        )
-        .renormalized()
+        self.outward(normal.map(Unit::from_bits)).renormalized()
     }
 
     /// Visits the spheres that the line of a ray passes through ahead of it,

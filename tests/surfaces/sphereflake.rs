@@ -10,7 +10,7 @@ const FRONT: Case = Case {
     object: r#"type = "sphereflake", center = [0, 0, 0], radius = 0.6, depth = 2"#,
     others: "",
     bounces: 5,
-    least: all_within([101.0, 97.0, 91.0]),
+    least: all_within([101.0, 98.0, 91.0]),
 };
 
 #[test]
@@ -37,12 +37,11 @@ fn sphereflakes_agree_with_the_oracle() {
             least: all_within([101.0, 100.0, 97.0]),
             ..FRONT
         },
-        // Of glass, one pixel is off by 0.0018.
         Case {
             name: "depth 4",
             object: r#"type = "sphereflake", center = [0, 0, 0], radius = 0.6, depth = 4"#,
             bounces: 2,
-            least: all_within([101.0, 99.0, 92.0]),
+            least: all_within([101.0, 99.0, 97.0]),
             ..FRONT
         },
         Case {

@@ -24,7 +24,8 @@ pub(super) const ASIDE: Unit = Unit::lit("0.288675134594812882254575");
 /// sqrt(2/3), the sine of the elevation.
 pub(super) const ELEVATION: Unit = Unit::lit("0.816496580927726032732428");
 
-const DIRECTIONS: [Direction; 12] = {
+/// By the number of the child; 0 and those above 12 are of none.
+static DIRECTIONS: [Direction; 16] = {
     const fn unit(bits: i64) -> Unit {
         Unit::from_bits(bits as i32)
     }
@@ -45,7 +46,9 @@ const DIRECTIONS: [Direction; 12] = {
     const S: i64 = EQUATOR.to_bits() as i64;
     const H: i64 = ASIDE.to_bits() as i64;
     const E: i64 = ELEVATION.to_bits() as i64;
+    let none = direction(0, 0, ONE);
     [
+        none,
         direction(ONE, 0, 0),
         direction(ONE / 2, S, 0),
         direction(-ONE / 2, S, 0),
@@ -58,13 +61,16 @@ const DIRECTIONS: [Direction; 12] = {
         direction(-ONE / 2, -H, -E),
         direction(ONE / 2, -H, -E),
         direction(0, 2 * H, -E),
+        none,
+        none,
+        none,
     ]
 };
 
 #[inline(always)]
 fn direction(child: u32) -> &'static Direction {
-    // Children are 1 to 12; `min` tells the compiler so.
-    &DIRECTIONS[(child.wrapping_sub(1) as usize).min(11)]
+    // A path has four bits for each; the mask tells the compiler so.
+    &DIRECTIONS[child as usize & 15]
 }
 
 /// The direction of a child.

@@ -1,3 +1,5 @@
+use core::ops::Neg;
+
 use fixed::types::{I3F29, U0F32, U1F15};
 
 use crate::Vec3;
@@ -31,6 +33,12 @@ pub(crate) struct Parts {
     pub(crate) depth: u8,
 }
 
+/// The directions u and v of a flake that is not turned.
+const UPRIGHT: [Vec3<Unit>; 2] = [
+    Vec3::new(Unit::ONE, Unit::ZERO, Unit::ZERO),
+    Vec3::new(Unit::ZERO, Unit::ZERO, Unit::NEG_ONE),
+];
+
 /// A sphereflake.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Sphereflake {
@@ -38,11 +46,19 @@ pub(crate) struct Sphereflake {
     /// The directions u, v and w of the largest sphere.
     pub(super) axes: Vec3<Vec3<Unit>>,
     pub(super) radius: U0F32,
-    /// `1 / (radius * 2^n)`, with n such that the quotient is 1 to 2: `U1F31`.
-    pub(super) inverse_radius: u32,
+    /// Whether u, v and w are x, -z and y.
+    pub(super) is_upright: bool,
+    /// `1 / (radius * 2^n)`, with n such that the quotient is 1 to 2.
+    pub(super) inverse_radius: Unit,
     pub(super) ratio: U0F32,
-    /// `1 / (ratio * 2^n)`, with n such that the quotient is 1 to 2.
+    /// `1 / (ratio * 2^shift)`: 1 to 2.
     pub(super) inverse_ratio: Unit,
+    pub(super) shift: u32,
+    /// From a sphere's center to a child's, in radii: 1.1 to 1.5.
+    pub(super) step: Unit,
+    /// From a child's center to its parent's in radii of the child, divided by
+    /// 2^shift: `-(1 / ratio + 1)`.
+    pub(super) back: Radii,
     pub(super) steps: Steps,
     /// All of it is within so many radii.
     pub(super) bound: Radii,
@@ -59,25 +75,31 @@ impl Sphereflake {
             depth,
         } = parts;
         let mantissa = |x: U0F32| x.to_bits().wrapping_shl(x.leading_zeros()) | 1 << 31;
-        let inverse = |x| reciprocal(mantissa(x));
+        let inverse = |x| {
+            let half = reciprocal(mantissa(x)).saturating_add(1) >> 1;
+            Unit::from_bits(half.min(i32::MAX as u32) as i32)
+        };
         let [u, v] = frame;
         let w = u.cross(v).map(|c| round_unit(c, 30));
-        let flake = Self {
+        let inverse_ratio = inverse(ratio);
+        // Q30 -> Q29
+        let one = (1_i32 << 29).unbounded_shr(ratio.leading_zeros());
+        let back = (inverse_ratio.to_bits() >> 1) + one;
+        let step = Unit::from_bits((1 << 30) + ((ratio.to_bits() >> 1).div_ceil(2)) as i32);
+        Self {
             center,
             axes: Vec3::new(u, v, w),
+            is_upright: frame == UPRIGHT,
             radius,
             inverse_radius: inverse(radius),
             ratio,
-            inverse_ratio: Unit::from_bits(
-                (inverse(ratio).saturating_add(1) >> 1).min(i32::MAX as u32) as i32,
-            ),
-            steps: Steps::default(),
+            inverse_ratio,
+            shift: ratio.leading_zeros(),
+            back: Radii::from_bits(-back),
+            step,
+            steps: Steps::new(step),
             bound: Self::bound(ratio, depth),
             depth,
-        };
-        Self {
-            steps: Steps::new(flake.step()),
-            ..flake
         }
     }
 
@@ -114,10 +136,32 @@ impl Sphereflake {
         Radii::from_bits((bound as i32 + 1) << 1)
     }
 
-    /// From a sphere's center to a child's, in radii: 1.1 to 1.5.
+    /// A vector of the scene in the frame of the largest sphere.
     #[inline(always)]
-    pub(super) fn step(&self) -> Unit {
-        Unit::from_bits((1 << 30) + ((self.ratio.to_bits() >> 1).div_ceil(2)) as i32)
+    pub(super) fn inward<T: Copy + Neg<Output = T>>(
+        &self,
+        v: Vec3<T>,
+        along: impl Fn(Vec3<T>, Vec3<Unit>) -> T,
+    ) -> Vec3<T> {
+        if self.is_upright {
+            return Vec3::new(v.x, -v.z, v.y);
+        }
+        self.axes.map(|axis| along(v, axis))
+    }
+
+    /// A unit vector of that frame in the scene.
+    #[inline(always)]
+    pub(super) fn outward(&self, Vec3 { x, y, z }: Vec3<Unit>) -> Vec3<Unit> {
+        if self.is_upright {
+            return Vec3::new(x, z, -y);
+        }
+        let Vec3 { x: u, y: v, z: w } = self.axes;
+        let along = |u, v, w| Vec3::new(x, y, z).cosine(Vec3::new(u, v, w));
+        Vec3::new(
+            along(u.x, v.x, w.x),
+            along(u.y, v.y, w.y),
+            along(u.z, v.z, w.z),
+        )
     }
 }
 

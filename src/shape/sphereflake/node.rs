@@ -9,6 +9,12 @@ use super::direction::{axis, inward};
 use super::flake::{Path, Radii, Sphereflake};
 use super::word::{upper_product, upper_shifted};
 
+/// Q59 -> Q29
+#[inline(always)]
+fn rounded(bits: i64) -> Radii {
+    Radii::from_bits(((bits + (1 << 29)) >> 30) as i32)
+}
+
 /// A ray as a sphere of the flake sees it: in the sphere's frame and its radii.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Node {
@@ -30,8 +36,8 @@ impl Node {
     pub(super) fn largest(flake: &Sphereflake, ray: &Ray, reach: i64) -> Option<Self> {
         let d = ray.direction;
         let offset = ray.origin.coordinates - flake.center;
-        // What is rounded away moves the foot along the ray, where it does no
-        // harm: Q28 * Q30 -> Q58 -> Q28.
+        // What is rounded away moves the foot along the ray, and is made good
+        // where a sphere is met: Q28 * Q30 -> Q58 -> Q28.
         let distance = -(((offset.along(d).to_bits() + (1 << 29)) >> 30) as i32);
         let radius = I1F31::from_bits((flake.radius.to_bits() >> 1) as i32);
         // Q29 * Q31 -> Q60 -> Q28
@@ -55,17 +61,18 @@ impl Node {
             return None;
         }
         // In radii: by the power of two, Q58 -> Q29, then by what is left, 1 to 2.
-        let inverse = i64::from(flake.inverse_radius);
+        // Each generation magnifies what is rounded here.
+        let half = i64::from(1_u32 << (28_u32.wrapping_sub(shift) & 31));
         let foot = foot.map(|c| {
-            let product = i64::from(upper_shifted(c, shift + 3)) * inverse;
-            Radii::from_bits(((product + (1 << 30)) >> 31) as i32)
+            let c = upper_shifted(c + half, shift + 3);
+            rounded(c.product(flake.inverse_radius.to_bits()))
         });
         let node = Self {
-            foot: flake.axes.map(|axis| {
-                let sum = foot.x.product(axis.x) + foot.y.product(axis.y) + foot.z.product(axis.z);
-                Radii::from_bits(((sum.to_bits() + (1 << 29)) >> 30) as i32)
+            foot: flake.inward(foot, |v, axis| {
+                let Vec3 { x, y, z } = v.zip(axis, Radii::product);
+                rounded((x + y + z).to_bits())
             }),
-            direction: flake.axes.map(|axis| d.cosine(axis)),
+            direction: flake.inward(d, Vec3::cosine),
             distance: i64::from(distance) << 32,
             radius,
             bound: flake.bound,
@@ -82,12 +89,18 @@ impl Node {
         square.to_bits()
     }
 
-    /// Half of what the sphere cuts out of the ray's line; nothing where the
-    /// line passes by.
+    /// From the foot to the ends of what the sphere cuts out of the ray's line,
+    /// and in between to its middle; all of that is one where the line passes by.
+    ///
+    /// The foot is off along the ray by what was rounded on the way here.
     #[inline]
-    pub(super) fn half_chord(&self) -> Radii {
+    pub(super) fn chord(&self) -> [Radii; 3] {
         let rest = ((1_i64 << 58) - self.squared()).max(0);
-        Radii::from_bits(square_root(rest as u64) as i32)
+        let half = Radii::from_bits(square_root(rest as u64) as i32);
+        let Vec3 { x, y, z } = self.foot.zip(self.direction, |l, d| l.product(d));
+        // Q59 -> Q29
+        let middle = -Radii::from_bits(((x + y + z).to_bits() >> 30) as i32);
+        [middle - half, middle, middle + half]
     }
 
     /// Whether some of the sphere may be ahead and within reach.
@@ -120,7 +133,7 @@ impl Node {
     /// radii of the parent, rounded up.
     #[inline(always)]
     pub(super) fn child_bound(&self, flake: &Sphereflake) -> Radii {
-        Radii::from_bits(self.bound.to_bits() - (flake.step().to_bits() >> 1))
+        Radii::from_bits(self.bound.to_bits() - (flake.step.to_bits() >> 1))
     }
 
     /// The same ray as a child sees it: the foot is taken anew, brought to the
@@ -128,28 +141,25 @@ impl Node {
     #[inline(never)]
     pub(super) fn child(&self, flake: &Sphereflake, child: u32, path_shift: u32) -> Self {
         let direction = inward(self.direction.map(Unit::to_bits), child).map(Unit::from_bits);
-        let step = flake.step();
-        let back = -step;
-        // How much farther the child's foot is: Q30 * Q30 -> Q30
-        let farther = round_unit(step.product(direction.z).to_bits(), 30);
-        // l - step a + farther d: Q29 -> Q60; Q30 * Q30 -> Q60 -> Q30
-        let foot = self
-            .foot
-            .map(|l| (i64::from(l.to_bits()) << 31) + (1 << 29));
-        let foot = foot.zip(axis(child), |l, a| l + back.product(a).to_bits());
+        // How much farther the child's foot is: Q30 * Q30 -> Q60 -> Q29
+        let farther = flake.step.product(direction.z).to_bits();
+        let farther = Radii::from_bits(((farther + (1 << 30)) >> 31) as i32);
+        // (l - step a + farther d) / ratio: Q29 * Q30 -> Q59, and by the power
+        // of two -> Q29
+        let inverse = flake.inverse_ratio;
+        let (back, on) = (flake.back, rounded(farther.product(inverse).to_bits()));
+        let shift = flake.shift;
+        let foot = self.foot.map(|l| l.product(inverse));
+        let foot = foot.zip(axis(child), |l, a| l + back.product(a));
         let foot = foot.zip(self.direction, |l, d| {
-            ((l + farther.product(d).to_bits()) >> 30) as i32
+            upper_shifted((l + on.product(d)).to_bits(), shift + 2)
         });
-        // Q30 * Q30 -> Q60, and by the power of two -> Q29
-        let inverse = flake.inverse_ratio.to_bits();
-        let shift = flake.ratio.leading_zeros() + 1;
-        let foot = foot.map(|c| upper_shifted(c.product(inverse), shift));
-        let bound = (upper_product(self.child_bound(flake).to_bits(), inverse) + 1) << (shift + 1);
+        let bound = (upper_product(self.child_bound(flake).to_bits(), inverse.to_bits()) + 1)
+            << (shift + 2);
         Self {
             foot: inward(foot, child).map(Radii::from_bits),
             direction,
-            // Q30 * Q31 -> Q61 -> Q60
-            distance: self.distance_to(Radii::from_bits((farther.to_bits() + 1) >> 1)),
+            distance: self.distance_to(farther),
             // Q31 * Q32 -> Q63 -> Q31
             radius: I1F31::from_bits(
                 ((wide(self.radius.to_bits() as u32, flake.ratio.to_bits()) + (1 << 31)) >> 32)

@@ -23,7 +23,7 @@ const LAYERS: &[&str] = &[
     // Nearest hit, local light, the tree of rays.
     "intersect", "shadow", "shade", "tracer", "raster",
     // Colors to pixels, lines to displays.
-    "output", "pixel", "drawing", "renderer", "antialias", "changes",
+    "output", "pixel", "drawing", "renderer", "changes", "antialias",
 ];
 
 /// Complains about uses of a higher layer, layers that are not in the list,

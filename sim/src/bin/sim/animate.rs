@@ -15,8 +15,8 @@ use embedded_graphics::geometry::Size;
 use whitted::Real;
 use whitted_sim::scene_file::{Buffer, Motion, SceneFile, Stage};
 
-use crate::args::Animate;
-use crate::draw::{Look, frame};
+use crate::args::{Animate, Passes};
+use crate::draw::frame;
 use crate::open::{Scene, overrule};
 use crate::outcome::Outcome;
 use crate::progress::Progress;
@@ -45,17 +45,19 @@ pub(crate) fn animate(options: &Animate) -> Outcome {
     let mut progress = Progress::new(schedule.times.len() as u64 * u64::from(quality.size.height));
     let mut stage = Box::new(Stage::new());
     let mut buffer = Box::new(Buffer::new());
-    let look = Look {
-        shown: options.shown,
-        ..Look::default()
-    };
     for time in &schedule.times {
         let scene = file.frame(&mut stage, *time)?;
         let mut prepared = buffer
             .prepare(&scene)
             .map_err(|error| file.explain_frame(error, *time))?;
         overrule(&mut prepared, quality)?;
-        let (image, _) = frame(&prepared, quality.size, look, &mut progress)?;
+        let (image, _) = frame(
+            &prepared,
+            quality.size,
+            options.shown,
+            Passes::default(),
+            &mut progress,
+        )?;
         film.add(image.as_image_buffer().as_raw())?;
     }
     progress.finish();

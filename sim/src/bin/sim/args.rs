@@ -4,6 +4,8 @@ use clap::{Parser, Subcommand, ValueEnum, value_parser};
 use embedded_graphics::geometry::Size;
 use whitted::{Output, Real, Samples};
 
+use crate::display::Display;
+
 /// Renders scenes on the host, with the arithmetic of the microcontroller.
 ///
 /// Without a command: renders scenes/whitted.toml to whitted.png and shows it.
@@ -50,7 +52,9 @@ pub(crate) enum Command {
     Explain(Explain),
     /// Render scenes into a directory, with a page to look at them.
     Gallery(Gallery),
-    /// Show a scene in a window (needs the feature `window`).
+    /// List the displays that `render` and `view` know.
+    Displays,
+    /// Show scenes in a window, as displays show them (needs the feature `window`).
     View(View),
 }
 
@@ -67,12 +71,22 @@ pub(crate) struct Render {
     pub(crate) shown: Shown,
     #[command(flatten)]
     pub(crate) passes: Passes,
-    /// Smooth edges: this many more rays through pixels that differ from their neighbors.
-    #[arg(long, value_enum, value_name = "N", conflicts_with_all = ["order", "most"])]
-    pub(crate) antialias: Option<Antialias>,
     /// Write linear colors, 16 bits a channel, in place of a display's.
     #[arg(long, conflicts_with_all = ["format", "dither", "transfer", "order", "most"])]
     pub(crate) linear16: bool,
+    /// A display to show it on, with that one's size, pixels and colors: see `displays`.
+    #[arg(long, value_name = "NAME", value_parser = Display::named)]
+    #[arg(conflicts_with_all = ["size", "format", "linear16"])]
+    pub(crate) display: Option<Display>,
+    /// How many pixels of the PNG a display's pixel is wide and high.
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 1,
+        conflicts_with = "linear16"
+    )]
+    #[arg(value_parser = value_parser!(u32).range(1..=16))]
+    pub(crate) scale: u32,
     /// Print rays, intersection tests, time, what microcontrollers would take, and checksum.
     #[arg(long)]
     pub(crate) stats: bool,
@@ -125,15 +139,17 @@ pub(crate) struct Gallery {
 
 #[derive(clap::Args)]
 pub(crate) struct View {
-    /// A scene file, a compiled scene, or the name of a scene in scenes/.
-    #[arg(default_value = "whitted")]
-    pub(crate) scene: PathBuf,
+    /// Scene files, compiled scenes, or names of scenes in scenes/ [default: all of scenes/].
+    pub(crate) scenes: Vec<PathBuf>,
+    /// The display to begin with, in place of a plain one of the size: see `displays`.
+    #[arg(long, value_name = "NAME", value_parser = Display::named, conflicts_with = "size")]
+    pub(crate) display: Option<Display>,
     #[command(flatten)]
     pub(crate) quality: Quality,
 }
 
 /// What a rendering costs.
-#[derive(clap::Args)]
+#[derive(Clone, Copy, clap::Args)]
 pub(crate) struct Quality {
     /// Width and height in pixels.
     #[arg(long, value_name = "WxH", default_value = "320x240", value_parser = size)]
@@ -176,7 +192,7 @@ impl Shown {
     }
 }
 
-/// In which order a display gets its pixels, and how many of them.
+/// In which order a display gets its pixels, how many of them, and how good.
 #[derive(Clone, Copy, Debug, clap::Args)]
 pub(crate) struct Passes {
     /// In which order the display gets its pixels.
@@ -185,23 +201,26 @@ pub(crate) struct Passes {
     /// Stop after so many passes: progressive order has five, scanlines have one.
     #[arg(long = "passes", value_name = "N", default_value_t = Self::ALL, value_parser = value_parser!(u8).range(1..=5))]
     pub(crate) most: u8,
+    /// Smooth edges: this many more rays through pixels that differ from their neighbors.
+    #[arg(long, value_enum, value_name = "N", conflicts_with_all = ["order", "most"])]
+    antialias: Option<Antialias>,
 }
 
 impl Passes {
     const ALL: u8 = 5;
 
-    /// The sides of the blocks, pass by pass.
-    pub(crate) fn blocks(self) -> impl Iterator<Item = u32> {
+    /// How edges are smoothed.
+    pub(crate) fn samples(&self) -> Option<Samples> {
+        self.antialias.map(Into::into)
+    }
+
+    /// The sides of the blocks of each pass.
+    pub(crate) fn blocks(&self) -> &'static [u32] {
         let blocks: &[u32] = match self.order {
             Order::Scanlines => &[1],
             Order::Progressive => &[16, 8, 4, 2, 1],
         };
-        blocks.iter().copied().take(self.most.into())
-    }
-
-    /// How many rows of blocks a picture has in all passes.
-    pub(crate) fn rows(self, height: u32) -> u32 {
-        self.blocks().map(|block| height.div_ceil(block)).sum()
+        &blocks[..blocks.len().min(self.most.into())]
     }
 }
 
@@ -210,11 +229,12 @@ impl Default for Passes {
         Self {
             order: Order::default(),
             most: Self::ALL,
+            antialias: None,
         }
     }
 }
 
-#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Order {
     /// Line by line, from the top.
     #[default]
@@ -224,7 +244,7 @@ pub(crate) enum Order {
 }
 
 /// The color formats of displays. The order of channels changes no picture.
-#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Format {
     /// 24 bits.
     #[default]
@@ -247,7 +267,7 @@ pub(crate) enum Format {
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
-pub(crate) enum Antialias {
+enum Antialias {
     #[value(name = "4")]
     Four,
     #[value(name = "16")]

@@ -1,22 +1,18 @@
-//! Rendering as a display gets it: line by line or in blocks, in its pixels.
+//! Rendering as a display gets it: step by step, in its pixels.
 
 use std::time::Duration;
 
-use embedded_graphics::pixelcolor::{
-    BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666, Rgb888,
-};
+use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
-use embedded_graphics::primitives::Rectangle;
-use embedded_graphics_simulator::{OutputImage, OutputSettings, SimulatorDisplay};
-use whitted::{
-    Antialiased, Drawing as Steps, Observer, PreparedScene, Renderer, Sample, Samples, Step,
-};
+use embedded_graphics_simulator::{OutputImage, OutputSettings};
+use whitted::{Antialiased, Drawing as Steps, PreparedScene, Renderer, Sample, Step};
 
 use whitted_sim::cost::Work;
 
-use crate::args::{Format, Order, Passes, Shown};
+use crate::args::{Order, Passes, Shown};
 use crate::outcome::Outcome;
-use crate::progress::{Progress, Watched};
+use crate::panel::Panel;
+use crate::progress::Progress;
 
 /// A display's picture and what it took.
 pub(crate) struct Drawing {
@@ -25,18 +21,17 @@ pub(crate) struct Drawing {
     pub(crate) time: Duration,
 }
 
-/// What of a picture is drawn, and what it looks like.
-#[derive(Clone, Copy, Default)]
-pub(crate) struct Look {
-    pub(crate) shown: Shown,
-    pub(crate) samples: Option<Samples>,
-    pub(crate) passes: Passes,
-}
-
 /// Draws on a display.
-pub(crate) fn draw(scene: &PreparedScene<'_>, size: Size, look: Look) -> Outcome<Drawing> {
-    let mut progress = Progress::new(look.passes.rows(size.height));
-    let (image, work) = frame(scene, size, look, &mut progress)?;
+pub(crate) fn draw(
+    scene: &PreparedScene<'_>,
+    size: Size,
+    shown: Shown,
+    passes: Passes,
+) -> Outcome<Drawing> {
+    let blocks = passes.blocks().iter();
+    let lines: u32 = blocks.map(|block| size.height.div_ceil(*block)).sum();
+    let mut progress = Progress::new(lines);
+    let (image, work) = frame(scene, size, shown, passes, &mut progress)?;
     let time = progress.finish();
     Ok(Drawing { image, work, time })
 }
@@ -45,75 +40,49 @@ pub(crate) fn draw(scene: &PreparedScene<'_>, size: Size, look: Look) -> Outcome
 pub(crate) fn frame(
     scene: &PreparedScene<'_>,
     size: Size,
-    look: Look,
+    shown: Shown,
+    passes: Passes,
     progress: &mut Progress,
 ) -> Outcome<(OutputImage<Rgb888>, Work)> {
-    let draw = match look.shown.format {
-        Format::Rgb888 => on_display::<Rgb888>,
-        Format::Rgb666 => on_display::<Rgb666>,
-        Format::Rgb565 => on_display::<Rgb565>,
-        Format::Rgb555 => on_display::<Rgb555>,
-        Format::Gray8 => on_display::<Gray8>,
-        Format::Gray4 => on_display::<Gray4>,
-        Format::Gray2 => on_display::<Gray2>,
-        Format::Binary => on_display::<BinaryColor>,
-    };
-    draw(scene, size, look, progress)
-}
-
-fn on_display<C>(
-    scene: &PreparedScene<'_>,
-    size: Size,
-    look: Look,
-    progress: &mut Progress,
-) -> Outcome<(OutputImage<Rgb888>, Work)>
-where
-    C: PixelColor + whitted::Pixel + From<BinaryColor> + Into<Rgb888>,
-{
-    let mut display = SimulatorDisplay::<C>::new(size);
-    let work = Work::new(scene);
-    let work = match look.samples {
-        None => {
-            let mut renderer = Renderer::with_observer(scene, size, work);
-            renderer.set_output(look.shown.output());
-            in_steps(&mut renderer, look.passes, &mut display, progress)?;
-            renderer.observer().clone()
-        }
+    let mut panel = Panel::new(size, shown.format);
+    let work = match passes.samples() {
+        None => draw_passes(scene, shown, passes, &mut panel, progress)?,
         Some(samples) => {
-            let mut memory = two_lines(size);
+            let (work, mut memory) = (Work::new(scene), two_lines(size));
             let mut renderer = Antialiased::with_observer(scene, size, samples, &mut memory, work)?;
-            renderer.set_output(look.shown.output());
-            let display = &mut display;
-            renderer.draw(&mut Watched { display, progress })?;
+            renderer.set_output(shown.output());
+            for y in 0..size.height {
+                renderer.draw_line(y, &mut panel)?;
+                progress.line();
+            }
             renderer.observer().clone()
         }
     };
     // The default settings show the display's values as they are.
-    let image = display.to_rgb_output_image(&OutputSettings::default());
-    Ok((image, work))
+    let settings = OutputSettings::default();
+    Ok((panel.display.to_rgb_output_image(&settings), work))
 }
 
-/// Draws some passes.
-fn in_steps<D>(
-    renderer: &mut Renderer<'_, impl Observer>,
+fn draw_passes(
+    scene: &PreparedScene<'_>,
+    shown: Shown,
     passes: Passes,
-    display: &mut D,
+    panel: &mut Panel,
     progress: &mut Progress,
-) -> Result<(), D::Error>
-where
-    D: DrawTarget<Color: whitted::Pixel>,
-{
-    let area = Rectangle::new(Point::zero(), renderer.size());
+) -> Outcome<Work> {
+    let mut renderer = Renderer::with_observer(scene, panel.size(), Work::new(scene));
+    renderer.set_output(shown.output());
+    let area = panel.bounding_box();
     let mut steps = match passes.order {
         Order::Scanlines => Steps::scanlines(area),
         Order::Progressive => Steps::progressive(area),
     };
-    let finest = passes.blocks().last().unwrap_or(1);
+    let finest = passes.blocks().last().copied().unwrap_or(1);
     while steps.block() >= finest {
-        renderer.step(&mut steps, Step::Line, display)?;
+        renderer.step(&mut steps, Step::Line, panel)?;
         progress.line();
     }
-    Ok(())
+    Ok(renderer.observer().clone())
 }
 
 /// The memory that smooth edges take.

@@ -1,19 +1,22 @@
 //! The host simulator: renders and animates scene files, compares pictures, explains pixels,
 //! checks and compiles scenes.
 //!
-//! args ── open (scene) ── draw or linear ──> PNG, terminal, window
+//! args ── open (scene) ── draw or linear ──> display ──> PNG, terminal, window
 
 mod animate;
 mod args;
 mod boards;
 mod compare;
+mod display;
 mod draw;
 mod explain;
 mod gallery;
 mod linear;
 mod memory;
+mod number;
 mod open;
 mod outcome;
+mod panel;
 mod progress;
 mod render;
 mod report;
@@ -48,6 +51,10 @@ fn run(args: Args) -> Outcome {
         Some(Command::Compile { scene, output }) => scene::compile(&scene, &output),
         Some(Command::Explain(options)) => explain::explain(&options),
         Some(Command::Gallery(options)) => gallery::gallery(&options),
+        Some(Command::Displays) => {
+            display::list();
+            Ok(())
+        }
         Some(Command::View(options)) => view::view(&options),
     }
 }

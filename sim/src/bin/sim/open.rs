@@ -20,15 +20,19 @@ pub(crate) enum Scene {
 impl Scene {
     /// Opens a path, or else what the project's scenes have by this name.
     pub(crate) fn open(path: &Path) -> Outcome<Self> {
-        let path = find(path)?;
+        Self::read(&find(path)?)
+    }
+
+    /// Reads the file of a scene.
+    pub(crate) fn read(path: &Path) -> Outcome<Self> {
         let name = path.display().to_string();
         if path
             .extension()
             .is_some_and(|extension| extension == "toml")
         {
-            return Ok(Self::file(scene_file::load(&path)?));
+            return Ok(Self::file(scene_file::load(path)?));
         }
-        let bytes = fs::read(&path).map_err(|error| format!("{name}: cannot be read: {error}"))?;
+        let bytes = fs::read(path).map_err(|error| format!("{name}: cannot be read: {error}"))?;
         // Anything that does not claim to be compiled is taken for text.
         match (decode(&bytes), std::str::from_utf8(&bytes)) {
             (Err(DecodeError::NotAScene), Ok(text)) => {
@@ -64,6 +68,7 @@ impl Scene {
         overrule(&mut scene, quality)?;
         Ok(scene)
     }
+
     /// What the scene calls itself.
     pub(crate) fn title(&self) -> Option<&str> {
         match self {
@@ -124,7 +129,7 @@ pub(crate) fn all_scenes() -> Outcome<Vec<PathBuf>> {
 
 /// The path itself; or the same seen from the project's root; or a scene of
 /// that name in scenes/.
-fn find(path: &Path) -> Outcome<PathBuf> {
+pub(crate) fn find(path: &Path) -> Outcome<PathBuf> {
     let [root, scenes] = places();
     let mut named = scenes.join(path).into_os_string();
     named.push(".toml");
