@@ -36,6 +36,7 @@
 //! so.
 
 mod acceleration;
+mod antialias;
 mod budget;
 mod buffer;
 mod camera;
@@ -48,6 +49,7 @@ mod intersect;
 mod num;
 mod observer;
 mod optics;
+mod output;
 mod pixel;
 mod prepare;
 mod prepared;
@@ -61,6 +63,7 @@ mod texture;
 mod tracer;
 mod vector;
 
+pub use antialias::{AntialiasError, Antialiased, Sample, Samples};
 pub use buffer::SceneBuffer;
 pub use checksum::Crc32;
 pub use color::Color;
@@ -68,6 +71,7 @@ pub use compiled::counts;
 pub use error::{DecodeError, Item, Problem, SceneError};
 pub use num::{Radiance, Real};
 pub use observer::{Node, Observer, RayKind, ShapeKind, Stats};
+pub use output::{Dither, Output, Transfer};
 pub use pixel::Pixel;
 pub use prepared::PreparedScene;
 pub use renderer::Renderer;

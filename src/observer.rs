@@ -98,6 +98,8 @@ pub struct Node {
     pub weight: Color<Real>,
     /// The number of the object; `None` for the background.
     pub object: Option<u16>,
+    /// The number of the material; `None` for the background.
+    pub material: Option<u16>,
     /// Whether the ray came from behind the surface.
     pub inside: bool,
     /// The color of the place itself, without what is reflected and transmitted.

@@ -9,7 +9,7 @@ use crate::coverage::Coverage;
 use crate::num::Radiance;
 use crate::observer::Observer;
 use crate::tracer::{Scratch, trace};
-use crate::{Color, Pixel, PreparedScene};
+use crate::{Color, Output, Pixel, PreparedScene};
 
 /// Draws a scene line by line, each pixel once, without a framebuffer.
 ///
@@ -37,6 +37,7 @@ pub struct Renderer<'s, O: Observer = ()> {
     view: View,
     scratch: Scratch,
     coverage: Coverage,
+    output: Output,
     observer: O,
 }
 
@@ -56,6 +57,7 @@ impl<'s, O: Observer> Renderer<'s, O> {
             view,
             scratch: Scratch::default(),
             coverage: Coverage::default(),
+            output: Output::default(),
             observer,
         }
     }
@@ -63,6 +65,16 @@ impl<'s, O: Observer> Renderer<'s, O> {
     /// What the observer has seen so far.
     pub fn observer(&self) -> &O {
         &self.observer
+    }
+
+    /// How the picture is shown on the display.
+    pub fn output(&self) -> Output {
+        self.output
+    }
+
+    /// Shows what is drawn from now on in another way.
+    pub fn set_output(&mut self, output: Output) {
+        self.output = output;
     }
 
     /// The size of the picture.
@@ -103,8 +115,8 @@ impl<'s, O: Observer> Renderer<'s, O> {
     /// Traces line `y` into a slice, for example to send it by DMA while the
     /// next is traced. What is longer than the line is left as it is.
     pub fn render_line<P: Pixel>(&mut self, y: u32, line: &mut [P]) {
-        for (pixel, color) in line.iter_mut().zip(self.line(y)) {
-            *pixel = P::from_linear(color);
+        for (pixel, color) in line.iter_mut().zip(self.shown(y)) {
+            *pixel = color;
         }
     }
 
@@ -118,7 +130,18 @@ impl<'s, O: Observer> Renderer<'s, O> {
         D::Color: Pixel,
     {
         let row = Rectangle::new(Point::new(0, y as i32), Size::new(self.size().width, 1));
-        target.fill_contiguous(&row, self.line(y).map(Pixel::from_linear))
+        target.fill_contiguous(&row, self.shown(y))
+    }
+
+    /// Line `y` as a display shows it, from left to right.
+    fn shown<P: Pixel>(&mut self, y: u32) -> impl Iterator<Item = P> {
+        let output = self.output;
+        let mut at = Point::new(0, y as i32);
+        self.line(y).map(move |color| {
+            let pixel = P::show(color, at, output);
+            at.x += 1;
+            pixel
+        })
     }
 
     /// Draws the whole picture, top to bottom.

@@ -89,10 +89,13 @@ fn every_format_is_rendered() -> Outcome {
     let here = Directory::new("formats")?;
     let colors = [
         ("rgb888", 999),
+        ("rgb666", 999),
         ("rgb565", 999),
+        ("rgb555", 999),
         ("gray8", 256),
         ("gray4", 16),
         ("gray2", 4),
+        ("binary", 2),
         ("bw", 2),
     ];
     for (format, most) in colors {

@@ -1,7 +1,7 @@
 use core::fmt;
 
-use embedded_graphics_core::prelude::{DrawTarget, Size};
-use whitted::{Color, Crc32, Pixel, Renderer};
+use embedded_graphics_core::prelude::{DrawTarget, Point, Size};
+use whitted::{Color, Crc32, Output, Pixel, Renderer};
 
 use crate::{Stopwatch, memory};
 
@@ -59,7 +59,7 @@ fn checksum(renderer: &mut Renderer<'_>) -> u32 {
     let mut crc = Crc32::new();
     for y in 0..renderer.size().height {
         for pixel in renderer.line(y) {
-            crc.update_pixel(Color::<u16>::from_linear(pixel));
+            crc.update_pixel(Color::<u16>::show(pixel, Point::zero(), Output::default()));
         }
     }
     crc.finish()

@@ -23,7 +23,7 @@ const LAYERS: &[&str] = &[
     // Nearest hit, local light, the tree of rays.
     "intersect", "shadow", "shade", "tracer",
     // Colors to pixels, lines to displays.
-    "pixel", "renderer",
+    "output", "pixel", "renderer", "antialias",
 ];
 
 /// Complains about uses of a higher layer, layers that are not in the list,

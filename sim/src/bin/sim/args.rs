@@ -2,7 +2,7 @@ use std::path::PathBuf;
 
 use clap::{Parser, Subcommand, ValueEnum, value_parser};
 use embedded_graphics::geometry::Size;
-use whitted::Real;
+use whitted::{Output, Real};
 
 /// Renders scenes on the host, with the arithmetic of the microcontroller.
 ///
@@ -59,11 +59,10 @@ pub(crate) struct Render {
     pub(crate) output: Option<PathBuf>,
     #[command(flatten)]
     pub(crate) quality: Quality,
-    /// The display's pixels.
-    #[arg(long, value_enum, default_value_t)]
-    pub(crate) format: Format,
+    #[command(flatten)]
+    pub(crate) shown: Shown,
     /// Write linear colors, 16 bits a channel, in place of a display's.
-    #[arg(long, conflicts_with = "format")]
+    #[arg(long, conflicts_with_all = ["format", "dither", "transfer"])]
     pub(crate) linear16: bool,
     /// Print rays, intersection tests, time, what microcontrollers would take, and checksum.
     #[arg(long)]
@@ -119,14 +118,48 @@ pub(crate) struct Quality {
     pub(crate) min_weight: Option<Real>,
 }
 
-/// The color formats of displays.
+/// How a display shows a picture.
+#[derive(Clone, Copy, Debug, Default, clap::Args)]
+pub(crate) struct Shown {
+    /// The display's pixels.
+    #[arg(long, value_enum, default_value_t)]
+    pub(crate) format: Format,
+    /// What becomes of colors between two levels of fewer than 8 bits.
+    #[arg(long, value_enum, default_value_t)]
+    dither: Dither,
+    /// From light to the display's values.
+    #[arg(long, value_enum, default_value_t)]
+    transfer: Transfer,
+}
+
+impl Shown {
+    /// The same for the library.
+    pub(crate) fn output(self) -> Output {
+        Output {
+            transfer: match self.transfer {
+                Transfer::Linear => whitted::Transfer::Linear,
+                Transfer::Srgb => whitted::Transfer::Srgb,
+            },
+            dither: match self.dither {
+                Dither::On => whitted::Dither::Ordered,
+                Dither::Off => whitted::Dither::Off,
+            },
+        }
+    }
+}
+
+/// The color formats of displays. The order of channels changes no picture.
 #[derive(Clone, Copy, Debug, Default, ValueEnum)]
 pub(crate) enum Format {
     /// 24 bits.
     #[default]
     Rgb888,
+    /// 18 bits.
+    Rgb666,
     /// 16 bits.
     Rgb565,
+    /// 15 bits.
+    Rgb555,
     /// 256 grays.
     Gray8,
     /// 16 grays.
@@ -134,7 +167,26 @@ pub(crate) enum Format {
     /// 4 grays.
     Gray2,
     /// Black and white.
-    Bw,
+    #[value(alias = "bw")]
+    Binary,
+}
+
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+enum Dither {
+    /// A pattern of the level below and the level above.
+    #[default]
+    On,
+    /// The nearest level.
+    Off,
+}
+
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+enum Transfer {
+    /// Values are linear light.
+    #[default]
+    Linear,
+    /// Values are encoded as sRGB.
+    Srgb,
 }
 
 /// The longest side of a picture.

@@ -2,14 +2,16 @@
 
 use std::time::Duration;
 
-use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray4, Gray8, Rgb565, Rgb888};
+use embedded_graphics::pixelcolor::{
+    BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666, Rgb888,
+};
 use embedded_graphics::prelude::*;
 use embedded_graphics_simulator::{OutputImage, OutputSettings, SimulatorDisplay};
-use whitted::{PreparedScene, Renderer};
+use whitted::{Output, PreparedScene, Renderer};
 
 use whitted_sim::cost::Work;
 
-use crate::args::Format;
+use crate::args::{Format, Shown};
 use crate::outcome::Outcome;
 use crate::progress::{Progress, Watched};
 
@@ -20,24 +22,28 @@ pub(crate) struct Drawing {
     pub(crate) time: Duration,
 }
 
-/// Draws on a display of the format.
-pub(crate) fn draw(scene: &PreparedScene<'_>, size: Size, format: Format) -> Outcome<Drawing> {
-    match format {
-        Format::Rgb888 => on_display::<Rgb888>(scene, size),
-        Format::Rgb565 => on_display::<Rgb565>(scene, size),
-        Format::Gray8 => on_display::<Gray8>(scene, size),
-        Format::Gray4 => on_display::<Gray4>(scene, size),
-        Format::Gray2 => on_display::<Gray2>(scene, size),
-        Format::Bw => on_display::<BinaryColor>(scene, size),
-    }
+/// Draws on a display.
+pub(crate) fn draw(scene: &PreparedScene<'_>, size: Size, shown: Shown) -> Outcome<Drawing> {
+    let draw = match shown.format {
+        Format::Rgb888 => on_display::<Rgb888>,
+        Format::Rgb666 => on_display::<Rgb666>,
+        Format::Rgb565 => on_display::<Rgb565>,
+        Format::Rgb555 => on_display::<Rgb555>,
+        Format::Gray8 => on_display::<Gray8>,
+        Format::Gray4 => on_display::<Gray4>,
+        Format::Gray2 => on_display::<Gray2>,
+        Format::Binary => on_display::<BinaryColor>,
+    };
+    draw(scene, size, shown.output())
 }
 
-fn on_display<C>(scene: &PreparedScene<'_>, size: Size) -> Outcome<Drawing>
+fn on_display<C>(scene: &PreparedScene<'_>, size: Size, output: Output) -> Outcome<Drawing>
 where
     C: PixelColor + whitted::Pixel + From<BinaryColor> + Into<Rgb888>,
 {
     let mut display = SimulatorDisplay::<C>::new(size);
     let mut renderer = Renderer::with_observer(scene, size, Work::new(scene));
+    renderer.set_output(output);
     let mut watched = Watched {
         display: &mut display,
         progress: Progress::new(size.height),
