@@ -22,7 +22,7 @@ use crate::{Crc32, DecodeError, Item};
 use archive::{Archive, Counter, Fields, Reader, Writer};
 
 const MAGIC: [u8; 4] = *b"WHTD";
-const VERSION: u8 = 1;
+const VERSION: u8 = 2;
 const CHECKSUM: usize = size_of::<u32>();
 
 /// What is before the lists.
@@ -97,7 +97,7 @@ pub(crate) fn encode(scene: &PreparedScene<'_>, out: &mut [u8]) -> Option<usize>
 /// ```
 /// use whitted::{SceneBuffer, counts};
 ///
-/// static SCENE: &[u8] = b"WHTD\x01\x05\0\x01\0\x03\0"; // include_bytes!("scene.bin")
+/// static SCENE: &[u8] = b"WHTD\x02\x05\0\x01\0\x03\0"; // include_bytes!("scene.bin")
 /// const COUNTS: [usize; 3] = counts(SCENE);
 /// let buffer = SceneBuffer::<{ COUNTS[0] }, { COUNTS[1] }, { COUNTS[2] }>::new();
 /// # let _ = buffer;
@@ -143,7 +143,7 @@ pub(crate) fn decode(bytes: &[u8], room: &mut impl Room) -> Result<Settings, Dec
     if checksum_of(body) != u32::from_le_bytes(*checksum) {
         return Err(DecodeError::Checksum);
     }
-    let mut settings = Settings::default();
+    let mut settings = Settings::blank();
     settings.visit(&mut reader);
     check(settings.is_valid(), Item::Scene)?;
     for index in 0..header.lights {

@@ -67,7 +67,7 @@ macro_rules! integers {
     )*};
 }
 
-integers!(u8, i8, u16, u32, i64);
+integers!(u8, i8, u16, i32, u32, i64);
 
 /// A number of the `fixed` crate by its bits.
 pub(super) fn fixed<F, const N: usize>(value: &mut F, archive: &mut impl Archive)

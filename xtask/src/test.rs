@@ -4,13 +4,13 @@ use std::time::{Duration, Instant};
 
 use anyhow::{Result, bail};
 
-use crate::command::{self, cargo};
-use crate::firmware::{FLOAT, HEADLESS, LM3S6965EVB, PRODUCTS, V6M};
+use crate::command::{self, cargo, command};
+use crate::firmware::{FLOAT, HEADLESS, LM3S6965EVB, MOTION, PRODUCTS, V6M};
 use crate::{bench, tidy, tools};
 
 type Step = (&'static str, fn() -> Result<()>);
 
-const STEPS: [Step; 9] = [
+const STEPS: [Step; 10] = [
     ("tools", tools::install),
     ("format", format),
     ("tidy", tidy::run),
@@ -18,6 +18,7 @@ const STEPS: [Step; 9] = [
     ("clippy-thumb", clippy_thumb),
     ("docs", docs),
     ("test-host", test_host),
+    ("test-window", test_window),
     ("test-qemu", test_qemu),
     ("budget", bench::check),
 ];
@@ -66,9 +67,21 @@ fn format() -> Result<()> {
     command::run(cargo().args(["fmt", "--all", "--check"]))
 }
 
-/// What runs on the host, tests and examples included.
+/// All that runs on the host is built with windows, once for all steps.
+const WINDOW: [&str; 2] = ["--features", "whitted-sim/window"];
+
+/// What runs on the host, tests and examples included, and the simulator as it
+/// is without windows.
 fn clippy_host() -> Result<()> {
-    command::run(cargo().args(["clippy", "--quiet", "--all-targets", "--", "-D", "warnings"]))
+    for what in [
+        &["--all-targets", WINDOW[0], WINDOW[1]][..],
+        &["--bin", "sim"],
+    ] {
+        let mut clippy = cargo();
+        clippy.args(["clippy", "--quiet"]).args(what);
+        command::run(clippy.args(["--", "-D", "warnings"]))?;
+    }
+    Ok(())
 }
 
 /// The library where there is no standard library and the fewest instructions,
@@ -77,7 +90,8 @@ fn clippy_thumb() -> Result<()> {
     let firmware = [LM3S6965EVB, PRODUCTS]
         .into_iter()
         .chain(HEADLESS)
-        .chain(FLOAT);
+        .chain(FLOAT)
+        .chain(MOTION);
     let packages = firmware.map(|firmware| (firmware.package, firmware.target));
     for (package, target) in [("whitted", V6M)].into_iter().chain(packages) {
         let mut clippy = cargo();
@@ -96,12 +110,27 @@ fn clippy_thumb() -> Result<()> {
 
 fn docs() -> Result<()> {
     let mut doc = cargo();
-    doc.args(["doc", "--quiet", "--no-deps"]);
+    doc.args(["doc", "--quiet", "--no-deps"]).args(WINDOW);
     command::run(doc.env("RUSTDOCFLAGS", "-D warnings"))
 }
 
 fn test_host() -> Result<()> {
-    command::run(cargo().args(["test", "--quiet", "--no-fail-fast"]))
+    command::run(
+        cargo()
+            .args(["test", "--quiet", "--no-fail-fast"])
+            .args(WINDOW),
+    )
+}
+
+/// On an X screen that nobody sees.
+fn test_window() -> Result<()> {
+    let mut xvfb = command("xvfb-run");
+    xvfb.args(["--auto-servernum", "--server-args", "-screen 0 800x700x24"]);
+    xvfb.arg(cargo().get_program());
+    command::run(
+        xvfb.args(["test", "--quiet", "--test", "window"])
+            .args(WINDOW),
+    )
 }
 
 fn test_qemu() -> Result<()> {

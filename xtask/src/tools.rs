@@ -20,8 +20,10 @@ pub(crate) fn install() -> Result<()> {
             rustup(&["component", "add", component])?;
         }
     }
-    if !works(command(QEMU).arg("--version")) {
-        qemu()?;
+    for package in PACKAGES {
+        if !works(command(package.program).arg(package.argument)) {
+            package.install()?;
+        }
     }
     Ok(())
 }
@@ -42,30 +44,72 @@ fn rustup(arguments: &[&str]) -> Result<()> {
         .with_context(|| format!("missing; to install it: rustup {}", arguments.join(" ")))
 }
 
-fn qemu() -> Result<()> {
-    if is_root() && works(command("apt-get").arg("--version")) {
-        run(command("apt-get").args(["--quiet", "update"]))?;
-        let mut install = command("apt-get");
-        install.args([
-            "--quiet",
-            "--yes",
-            "--no-install-recommends",
-            "install",
-            "qemu-system-arm",
-        ]);
-        return run(install.env("DEBIAN_FRONTEND", "noninteractive"));
+/// What the system's package manager has.
+struct Package {
+    /// Runs with this argument where the package is installed.
+    program: &'static str,
+    argument: &'static str,
+    apt: &'static [&'static str],
+    dnf: &'static str,
+    pacman: &'static str,
+    brew: &'static str,
+}
+
+const PACKAGES: [Package; 3] = [
+    Package {
+        program: QEMU,
+        argument: "--version",
+        apt: &["qemu-system-arm"],
+        dnf: "qemu-system-arm",
+        pacman: "qemu-system-arm",
+        brew: "qemu",
+    },
+    Package {
+        program: "sdl2-config",
+        argument: "--version",
+        apt: &["libsdl2-dev"],
+        dnf: "SDL2-devel",
+        pacman: "sdl2",
+        brew: "sdl2",
+    },
+    Package {
+        program: "xvfb-run",
+        argument: "--help",
+        apt: &["xvfb", "xauth"],
+        dnf: "xorg-x11-server-Xvfb",
+        pacman: "xorg-server-xvfb",
+        brew: "--cask xquartz",
+    },
+];
+
+impl Package {
+    fn install(&self) -> Result<()> {
+        if is_root() && works(command("apt-get").arg("--version")) {
+            run(command("apt-get").args(["--quiet", "update"]))?;
+            let mut install = command("apt-get");
+            install.args(["--quiet", "--yes", "--no-install-recommends", "install"]);
+            install.env("DEBIAN_FRONTEND", "noninteractive");
+            return run(install.args(self.apt));
+        }
+        let installers = [
+            ("apt-get", "sudo apt-get install", &*self.apt.join(" ")),
+            ("dnf", "sudo dnf install", self.dnf),
+            ("pacman", "sudo pacman -S", self.pacman),
+            ("brew", "brew install", self.brew),
+        ];
+        let found = installers
+            .iter()
+            .find(|(program, ..)| works(command(program).arg("--version")));
+        match found {
+            Some((_, how, name)) => {
+                bail!("{} is missing; to install it: {how} {name}", self.program)
+            }
+            None => bail!(
+                "{} is missing, and no package manager is known",
+                self.program
+            ),
+        }
     }
-    let installers = [
-        ("apt-get", "sudo apt-get install qemu-system-arm"),
-        ("dnf", "sudo dnf install qemu-system-arm"),
-        ("pacman", "sudo pacman -S qemu-system-arm"),
-        ("brew", "brew install qemu"),
-    ];
-    let found = installers
-        .iter()
-        .find(|(program, _)| works(command(program).arg("--version")));
-    let how = found.map_or("see https://www.qemu.org/download/", |(_, how)| how);
-    bail!("{QEMU} is missing; to install it: {how}")
 }
 
 fn is_root() -> bool {

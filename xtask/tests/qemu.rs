@@ -6,12 +6,15 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, ensure};
 use embedded_graphics::pixelcolor::Gray4;
 use embedded_graphics::prelude::*;
-use whitted::Renderer;
+use whitted::{Renderer, Stage};
 use whitted_sim::cost::{Model, Work};
 use whitted_sim::{render, scene_file};
-use xtask::firmware::{LM3S6965EVB, PRODUCTS};
+use xtask::firmware::{LM3S6965EVB, MOTION, PRODUCTS};
 use xtask::qemu::{self, Arithmetic, Core, Machine};
 use xtask::{root, scratch_dir};
+
+#[path = "../../boards/motion/src/scene.rs"]
+mod moving;
 
 const OLED: Size = Size::new(128, 64);
 /// QEMU shows each pixel of the OLED as a square of so many.
@@ -183,6 +186,32 @@ fn every_core_draws_the_same_pictures() -> Result<()> {
                 "{} on {core:?}",
                 scene.display()
             );
+        }
+    }
+    Ok(())
+}
+
+/// Key frames from statics, evaluated on the core: orbits by floats in software
+/// and in hardware.
+#[test]
+fn every_core_moves_alike() -> Result<()> {
+    let [width, height] = moving::SIZE;
+    let mut stage = Box::new(Stage::<5, 1>::new());
+    let mut buffer = Box::new(scene_file::Buffer::new());
+    let mut expected = Vec::new();
+    for time in moving::TIMES {
+        let frame = stage.frame(&moving::SCENE, &moving::ANIMATION, time)?;
+        let picture = render::linear(&buffer.prepare(&frame)?, Size::new(width, height));
+        expected.push(format!("{:08x}", render::checksum(&picture)));
+    }
+    let cores = [Core::M0, Core::M3, Core::M4f, Core::M33];
+    for (core, firmware) in cores.into_iter().zip(MOTION) {
+        let report = Machine::of(core).run(&firmware.build(None)?)?;
+        report.result()?;
+        println!("{core:?}\n{report}");
+        for (frame, expected) in expected.iter().enumerate() {
+            let key = format!("checksum {frame}");
+            assert_eq!(report.get(&key)?, expected, "frame {frame} on {core:?}");
         }
     }
     Ok(())

@@ -4,6 +4,8 @@ use clap::{Parser, Subcommand, ValueEnum, value_parser};
 use embedded_graphics::geometry::Size;
 use whitted::{Output, Real};
 
+use crate::display::Display;
+
 /// Renders scenes on the host, with the arithmetic of the microcontroller.
 ///
 /// Without a command: renders scenes/whitted.toml to whitted.png and shows it.
@@ -30,6 +32,10 @@ pub(crate) enum Command {
         /// A scene file, or a compiled scene.
         scene: PathBuf,
     },
+    /// Render a scene that moves to an animated GIF or PNG, or to numbered PNGs.
+    ///
+    /// What moves stands in the scene's table `animation`; without one the camera orbits once.
+    Animate(Animate),
     /// Write a scene in the compact form that microcontrollers decode.
     Compile {
         /// A scene file.
@@ -46,7 +52,9 @@ pub(crate) enum Command {
     Explain(Explain),
     /// Render scenes into a directory, with a page to look at them.
     Gallery(Gallery),
-    /// Show a scene in a window (needs the feature `window`).
+    /// List the displays that `render` and `view` know.
+    Displays,
+    /// Show scenes in a window, as displays show them (needs the feature `window`).
     View(View),
 }
 
@@ -61,12 +69,46 @@ pub(crate) struct Render {
     pub(crate) quality: Quality,
     #[command(flatten)]
     pub(crate) shown: Shown,
+    #[command(flatten)]
+    pub(crate) passes: Passes,
     /// Write linear colors, 16 bits a channel, in place of a display's.
-    #[arg(long, conflicts_with_all = ["format", "dither", "transfer"])]
+    #[arg(long, conflicts_with_all = ["format", "dither", "transfer", "order", "most"])]
     pub(crate) linear16: bool,
+    /// A display to show it on, with that one's size, pixels and colors: see `displays`.
+    #[arg(long, value_name = "NAME", value_parser = Display::named)]
+    #[arg(conflicts_with_all = ["size", "format", "linear16"])]
+    pub(crate) display: Option<Display>,
+    /// How many pixels of the PNG a display's pixel is wide and high.
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 1,
+        conflicts_with = "linear16"
+    )]
+    #[arg(value_parser = value_parser!(u32).range(1..=16))]
+    pub(crate) scale: u32,
     /// Print rays, intersection tests, time, what microcontrollers would take, and checksum.
     #[arg(long)]
     pub(crate) stats: bool,
+}
+
+#[derive(clap::Args)]
+pub(crate) struct Animate {
+    /// A scene file, or the name of a scene in scenes/.
+    pub(crate) scene: PathBuf,
+    /// A GIF, an APNG (FILE.apng or FILE.png), or a directory for numbered PNGs.
+    #[arg(short, long, value_name = "FILE|DIR")]
+    pub(crate) output: PathBuf,
+    /// Frames a second [default: 20].
+    #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..=100))]
+    pub(crate) fps: Option<u16>,
+    /// How many frames [default: as many as the animation takes].
+    #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..))]
+    pub(crate) frames: Option<u16>,
+    #[command(flatten)]
+    pub(crate) quality: Quality,
+    #[command(flatten)]
+    pub(crate) shown: Shown,
 }
 
 #[derive(clap::Args)]
@@ -97,15 +139,17 @@ pub(crate) struct Gallery {
 
 #[derive(clap::Args)]
 pub(crate) struct View {
-    /// A scene file, a compiled scene, or the name of a scene in scenes/.
-    #[arg(default_value = "whitted")]
-    pub(crate) scene: PathBuf,
+    /// Scene files, compiled scenes, or names of scenes in scenes/ [default: all of scenes/].
+    pub(crate) scenes: Vec<PathBuf>,
+    /// The display to begin with, in place of a plain one of the size: see `displays`.
+    #[arg(long, value_name = "NAME", value_parser = Display::named, conflicts_with = "size")]
+    pub(crate) display: Option<Display>,
     #[command(flatten)]
     pub(crate) quality: Quality,
 }
 
 /// What a rendering costs.
-#[derive(clap::Args)]
+#[derive(Clone, Copy, clap::Args)]
 pub(crate) struct Quality {
     /// Width and height in pixels.
     #[arg(long, value_name = "WxH", default_value = "320x240", value_parser = size)]
@@ -148,8 +192,50 @@ impl Shown {
     }
 }
 
+/// In which order a display gets its pixels, and how many of them.
+#[derive(Clone, Copy, Debug, clap::Args)]
+pub(crate) struct Passes {
+    /// In which order the display gets its pixels.
+    #[arg(long, value_enum, default_value_t)]
+    pub(crate) order: Order,
+    /// Stop after so many passes: progressive order has five, scanlines have one.
+    #[arg(long = "passes", value_name = "N", default_value_t = Self::ALL, value_parser = value_parser!(u8).range(1..=5))]
+    pub(crate) most: u8,
+}
+
+impl Passes {
+    const ALL: u8 = 5;
+
+    /// The sides of the blocks of each pass.
+    pub(crate) fn blocks(&self) -> &'static [u32] {
+        let blocks: &[u32] = match self.order {
+            Order::Scanlines => &[1],
+            Order::Progressive => &[16, 8, 4, 2, 1],
+        };
+        &blocks[..blocks.len().min(self.most.into())]
+    }
+}
+
+impl Default for Passes {
+    fn default() -> Self {
+        Self {
+            order: Order::default(),
+            most: Self::ALL,
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Order {
+    /// Line by line, from the top.
+    #[default]
+    Scanlines,
+    /// In blocks of 16 pixels a side, then 8, 4, 2 and 1.
+    Progressive,
+}
+
 /// The color formats of displays. The order of channels changes no picture.
-#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Format {
     /// 24 bits.
     #[default]

@@ -1,19 +1,18 @@
-//! Rendering as a display gets it: through `Renderer::draw`, in its pixels.
+//! Rendering as a display gets it: step by step, in its pixels.
 
 use std::time::Duration;
 
-use embedded_graphics::pixelcolor::{
-    BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666, Rgb888,
-};
+use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
-use embedded_graphics_simulator::{OutputImage, OutputSettings, SimulatorDisplay};
-use whitted::{Output, PreparedScene, Renderer};
+use embedded_graphics_simulator::{OutputImage, OutputSettings};
+use whitted::{Drawing as Steps, PreparedScene, Renderer, Step};
 
 use whitted_sim::cost::Work;
 
-use crate::args::{Format, Shown};
+use crate::args::{Order, Passes, Shown};
 use crate::outcome::Outcome;
-use crate::progress::{Progress, Watched};
+use crate::panel::Panel;
+use crate::progress::Progress;
 
 /// A display's picture and what it took.
 pub(crate) struct Drawing {
@@ -23,38 +22,43 @@ pub(crate) struct Drawing {
 }
 
 /// Draws on a display.
-pub(crate) fn draw(scene: &PreparedScene<'_>, size: Size, shown: Shown) -> Outcome<Drawing> {
-    let draw = match shown.format {
-        Format::Rgb888 => on_display::<Rgb888>,
-        Format::Rgb666 => on_display::<Rgb666>,
-        Format::Rgb565 => on_display::<Rgb565>,
-        Format::Rgb555 => on_display::<Rgb555>,
-        Format::Gray8 => on_display::<Gray8>,
-        Format::Gray4 => on_display::<Gray4>,
-        Format::Gray2 => on_display::<Gray2>,
-        Format::Binary => on_display::<BinaryColor>,
-    };
-    draw(scene, size, shown.output())
+pub(crate) fn draw(
+    scene: &PreparedScene<'_>,
+    size: Size,
+    shown: Shown,
+    passes: Passes,
+) -> Outcome<Drawing> {
+    let blocks = passes.blocks().iter();
+    let lines: u32 = blocks.map(|block| size.height.div_ceil(*block)).sum();
+    let mut progress = Progress::new(lines);
+    let (image, work) = frame(scene, size, shown, passes, &mut progress)?;
+    let time = progress.finish();
+    Ok(Drawing { image, work, time })
 }
 
-fn on_display<C>(scene: &PreparedScene<'_>, size: Size, output: Output) -> Outcome<Drawing>
-where
-    C: PixelColor + whitted::Pixel + From<BinaryColor> + Into<Rgb888>,
-{
-    let mut display = SimulatorDisplay::<C>::new(size);
+/// Draws on a display, as a part of more work.
+pub(crate) fn frame(
+    scene: &PreparedScene<'_>,
+    size: Size,
+    shown: Shown,
+    passes: Passes,
+    progress: &mut Progress,
+) -> Outcome<(OutputImage<Rgb888>, Work)> {
+    let mut panel = Panel::new(size, shown.format);
     let mut renderer = Renderer::with_observer(scene, size, Work::new(scene));
-    renderer.set_output(output);
-    let mut watched = Watched {
-        display: &mut display,
-        progress: Progress::new(size.height),
+    renderer.set_output(shown.output());
+    let area = panel.bounding_box();
+    let mut steps = match passes.order {
+        Order::Scanlines => Steps::scanlines(area),
+        Order::Progressive => Steps::progressive(area),
     };
-    renderer.draw(&mut watched)?;
-    let time = watched.progress.finish();
+    let finest = passes.blocks().last().copied().unwrap_or(1);
+    while steps.block() >= finest {
+        renderer.step(&mut steps, Step::Line, &mut panel)?;
+        progress.line();
+    }
     // The default settings show the display's values as they are.
-    let image = display.to_rgb_output_image(&OutputSettings::default());
-    Ok(Drawing {
-        image,
-        work: renderer.observer().clone(),
-        time,
-    })
+    let settings = OutputSettings::default();
+    let image = panel.display.to_rgb_output_image(&settings);
+    Ok((image, renderer.observer().clone()))
 }

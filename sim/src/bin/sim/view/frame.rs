@@ -1,0 +1,76 @@
+use embedded_graphics::pixelcolor::Rgb888;
+use embedded_graphics::prelude::*;
+use embedded_graphics_simulator::SimulatorDisplay;
+use whitted::{Drawing, Output, PreparedScene, Renderer, Step};
+use whitted_sim::cost::Work;
+
+use crate::args::Order;
+use crate::display::Display;
+use crate::memory::memory;
+use crate::panel::Panel;
+
+/// Rays of a step: a few milliseconds.
+const STEP: Step = Step::Rays(2000);
+
+/// A picture that is drawn in steps.
+pub(super) struct Frame {
+    panel: Panel,
+    display: Display,
+    drawing: Drawing,
+    /// What was asked for so far.
+    pub(super) work: Work,
+    /// Bytes that the scene takes.
+    pub(super) memory: usize,
+}
+
+impl Frame {
+    /// A dark display.
+    pub(super) fn new(display: Display) -> Self {
+        let panel = Panel::new(display.size, display.format);
+        Self {
+            drawing: Drawing::scanlines(panel.bounding_box()),
+            panel,
+            display,
+            work: Work::default(),
+            memory: 0,
+        }
+    }
+
+    /// Begins anew; what is on the display stays until it is drawn over.
+    pub(super) fn restart(&mut self, scene: &PreparedScene<'_>, order: Order) {
+        let area = self.panel.bounding_box();
+        self.drawing = match order {
+            Order::Progressive => Drawing::progressive(area),
+            Order::Scanlines => Drawing::scanlines(area),
+        };
+        self.work = Work::new(scene);
+        self.memory = memory(scene.counts());
+    }
+
+    /// Draws on for a while.
+    pub(super) fn step(&mut self, scene: &PreparedScene<'_>, output: Output) {
+        let work = self.work.clone();
+        let mut renderer = Renderer::with_observer(scene, self.panel.size(), work);
+        renderer.set_output(output);
+        let Ok(()) = renderer.step(&mut self.drawing, STEP, &mut self.panel);
+        self.work = renderer.observer().clone();
+    }
+
+    /// What is on the display so far, and which display it is.
+    pub(super) fn picture(&mut self) -> (&SimulatorDisplay<Rgb888>, &Display) {
+        self.display.cut(&mut self.panel.display);
+        (&self.panel.display, &self.display)
+    }
+
+    /// Whether nothing is left to be drawn.
+    pub(super) fn is_complete(&self) -> bool {
+        self.drawing.is_complete()
+    }
+
+    /// How much of the picture is traced.
+    pub(super) fn percent(&self) -> u64 {
+        let Size { width, height } = self.panel.size();
+        let pixels = u64::from(width) * u64::from(height);
+        u64::from(self.work.stats.eye) * 100 / pixels
+    }
+}
