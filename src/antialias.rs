@@ -7,14 +7,14 @@
 //! a picture without smooth edges consists of, so all other pixels stay as they
 //! are, and a fixed pattern needs no memory but two lines.
 
+mod error;
 mod key;
 mod pattern;
 mod sample;
 
+pub use error::AntialiasError;
 pub use pattern::Samples;
 pub use sample::Sample;
-
-use core::fmt;
 
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Point, Size};
@@ -27,7 +27,7 @@ use crate::observer::Observer;
 use crate::tracer::{Scratch, trace};
 use crate::{Color, Output, Pixel, PreparedScene};
 use key::Keyed;
-use pattern::GRID;
+use pattern::{GRID, MAX_SIDE};
 
 /// Draws a scene with smooth edges, line by line.
 ///
@@ -145,8 +145,7 @@ impl<'s, 'm, O: Observer> Antialiased<'s, 'm, O> {
     /// each is traced once; the last one again costs nothing, any other what three lines cost.
     pub fn line(&mut self, y: u32) -> impl Iterator<Item = Color<Radiance>> {
         self.finish(y);
-        let [even, odd] = &self.lines;
-        let line = if y % 2 == 0 { even } else { odd };
+        let line = &self.lines[y as usize % 2];
         let count = if y < self.view.height { line.len() } else { 0 };
         line.iter().take(count).map(Sample::color)
     }
@@ -284,34 +283,6 @@ impl<'s, 'm, O: Observer> Antialiased<'s, 'm, O> {
         }
     }
 }
-
-/// The longest side of a picture, of which the fine one is within what a view may have.
-const MAX_SIDE: u32 = crate::camera::MAX_SIDE / GRID;
-
-/// Why a picture cannot be drawn with smooth edges.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum AntialiasError {
-    /// The memory is shorter than two lines.
-    TooLittleMemory {
-        /// What two lines take.
-        samples: usize,
-    },
-    /// A side of the picture is longer than 8191 pixels.
-    TooLarge,
-}
-
-impl fmt::Display for AntialiasError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::TooLittleMemory { samples } => {
-                write!(f, "the memory is too small: give it {samples} samples")
-            }
-            Self::TooLarge => write!(f, "the picture is too large: at most {MAX_SIDE} a side"),
-        }
-    }
-}
-
-impl core::error::Error for AntialiasError {}
 
 #[cfg(test)]
 mod tests {

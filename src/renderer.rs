@@ -91,7 +91,8 @@ impl<'s, O: Observer> Renderer<'s, O> {
     /// Traces line `y` into a slice, for example to send it by DMA while the
     /// next is traced. What is longer than the line is left as it is.
     pub fn render_line<P: Pixel>(&mut self, y: u32, line: &mut [P]) {
-        let (columns, output) = (self.raster.columns(), self.output);
+        let output = self.output;
+        let columns = self.raster.columns();
         let pixels = self.raster.pixels(y, columns, &mut self.observer);
         for (pixel, (x, color)) in line.iter_mut().zip(pixels) {
             *pixel = P::show(color, Point::new(x as i32, y as i32), output);

@@ -5,13 +5,14 @@
 use std::collections::HashMap;
 
 use embedded_graphics::Pixel;
-use embedded_graphics::pixelcolor::Rgb888;
+use embedded_graphics::mock_display::MockDisplay;
+use embedded_graphics::pixelcolor::{Gray2, Rgb888};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use fastrand::Rng;
 use whitted::{
-    Camera, Color, Drawing, Light, Material, MaterialId, Object, PreparedScene, Real, Renderer,
-    Scene, SceneBuffer, Stats, Step, Texture, Vec3,
+    Camera, Color, Drawing, Light, Material, MaterialId, Object, Output, PreparedScene, Real,
+    Renderer, Scene, SceneBuffer, Stats, Step, Texture, Vec3,
 };
 
 const RED: Material = Material {
@@ -249,8 +250,7 @@ fn both_orders_end_with_the_picture_and_trace_each_pixel_once() {
                 assert_eq!(screen.shown.len(), points.len(), "{area:?}");
                 for point in &points {
                     let color = single.pixel(point.x as u32, point.y as u32);
-                    let expected: Rgb888 =
-                        whitted::Pixel::show(color, Point::zero(), whitted::Output::default());
+                    let expected: Rgb888 = whitted::Pixel::show(color, *point, Output::default());
                     assert_eq!(screen.shown[point], expected, "{area:?} {point}");
                 }
             }
@@ -540,5 +540,38 @@ fn a_picture_may_shrink_and_grow() {
                 }
             }
         }
+    });
+}
+
+/// A block shows the color of its first pixel, dithered as each pixel would be.
+#[test]
+fn blocks_are_dithered_pixel_by_pixel() {
+    let size = Size::new(64, 64);
+    let area = Rectangle::new(Point::new(5, 7), Size::new(50, 40));
+    with_scene(|scene| {
+        let mut renderer = Renderer::new(scene, size);
+        let mut display = MockDisplay::<Gray2>::new();
+        display.set_allow_overdraw(true);
+        let mut drawing = Drawing::progressive(area);
+        let mut mixed = 0;
+        for block in [16, 8, 4, 2, 1] {
+            assert_eq!(drawing.block(), block);
+            renderer
+                .step(&mut drawing, Step::Pass, &mut display)
+                .unwrap();
+            for point in area.points() {
+                let corner = area.top_left + (point - area.top_left) / block as i32 * block as i32;
+                let color = renderer.pixel(corner.x as u32, corner.y as u32);
+                let expected = whitted::Pixel::show(color, point, Output::default());
+                assert_eq!(
+                    display.get_pixel(point),
+                    Some(expected),
+                    "{point} of {block}"
+                );
+                mixed += usize::from(display.get_pixel(corner) != Some(expected));
+            }
+        }
+        assert_eq!(drawing.block(), 0);
+        assert!(mixed > 500, "{mixed}");
     });
 }

@@ -12,9 +12,9 @@ use embedded_graphics::pixelcolor::{
     Rgb888,
 };
 use embedded_graphics::prelude::*;
-use whitted::{Color, Dither, Output, Pixel, Renderer, Transfer};
+use whitted::{Antialiased, Color, Dither, Output, Pixel, Renderer, Sample, Samples, Transfer};
 use whitted_sim::picture::Picture;
-use whitted_sim::{png16, scene_file};
+use whitted_sim::{png16, render, scene_file};
 
 const SIZE: Size = Size::new(96, 72);
 
@@ -102,6 +102,20 @@ golden! {
     rgb888_srgb: Rgb888, SRGB;
     rgb565_srgb: Rgb565, SRGB;
     gray4_srgb: Gray4, SRGB;
+}
+
+#[test]
+fn antialiased() {
+    const WHITTED: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/whitted.toml");
+    let file = scene_file::load(WHITTED).unwrap();
+    let mut buffer = Box::new(scene_file::Buffer::new());
+    let scene = file.prepare(&mut buffer).unwrap();
+    let mut memory = [Sample::BLACK; 2 * SIZE.width as usize];
+    for (name, samples) in [("rays4", Samples::Four), ("rays16", Samples::Sixteen)] {
+        let mut renderer = Antialiased::new(&scene, SIZE, samples, &mut memory).unwrap();
+        let drawn = render::lines(SIZE, |y, line| renderer.render_line(y, line));
+        check(name, &drawn);
+    }
 }
 
 #[test]

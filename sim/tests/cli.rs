@@ -145,6 +145,33 @@ fn passes_end_with_the_picture() -> Outcome {
 }
 
 #[test]
+fn blocks_are_dithered_pixel_by_pixel() -> Outcome {
+    let here = Directory::new("blocks")?;
+    let camera = "camera = { eye = [0, 0, 1], look_at = [0, 0, 0], fovy_deg = 33 }\n";
+    fs::write(
+        here.0.join("gray.toml"),
+        format!("background = [0.3, 0.3, 0.3]\n{camera}"),
+    )?;
+    let render = |passes: &str| {
+        let order = ["--order", "progressive", "--passes", passes];
+        let args = [
+            "render",
+            "gray.toml",
+            "--size",
+            "40x30",
+            "--format",
+            "gray4",
+        ];
+        here.ok(&[&args[..], &order].concat())?;
+        Ok::<_, Box<dyn Error>>(png16::read(here.0.join("gray.png"))?.pixels)
+    };
+    let dithered = render("5")?;
+    assert!(dithered.iter().any(|pixel| *pixel != dithered[0]));
+    assert!(render("1")? == dithered);
+    Ok(())
+}
+
+#[test]
 fn displays_are_listed_and_drawn_on() -> Outcome {
     let here = Directory::new("displays")?;
     let list = here.ok(&["displays"])?;
@@ -173,6 +200,32 @@ fn a_display_has_its_own_colors_and_scale() -> Outcome {
         .iter()
         .map(|pixel| [pixel.r, pixel.g, pixel.b]);
     assert!(pixels.all(|pixel| blues.contains(&pixel)));
+    Ok(())
+}
+
+#[test]
+fn dither_transfer_and_smooth_edges_change_the_picture() -> Outcome {
+    let here = Directory::new("output")?;
+    let plain = ["render", "whitted", "--size", "40x30", "--format", "gray4"];
+    let mut pictures = Vec::new();
+    for options in [
+        &[][..],
+        &["--dither", "off"],
+        &["--transfer", "srgb"],
+        &["--antialias", "4"],
+        &["--antialias", "16"],
+    ] {
+        here.ok(&[&plain[..], &["-o", "shown.png"], options].concat())?;
+        pictures.push(png16::read(here.0.join("shown.png"))?);
+    }
+    for (index, picture) in pictures.iter().enumerate() {
+        assert!(!pictures[..index].contains(picture), "the picture {index}");
+    }
+    let linear = ["render", "whitted", "--size", "40x30", "--linear16"];
+    here.ok(&[&linear[..], &["-o", "plain.png"]].concat())?;
+    here.ok(&[&linear[..], &["--antialias", "4", "-o", "smooth.png"]].concat())?;
+    let [plain, smooth] = ["plain.png", "smooth.png"].map(|file| png16::read(here.0.join(file)));
+    assert!(plain? != smooth?);
     Ok(())
 }
 

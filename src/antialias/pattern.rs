@@ -1,5 +1,8 @@
 /// The side of the grid of places in a pixel that rays may go through.
-pub(crate) const GRID: u32 = 8;
+pub(super) const GRID: u32 = 8;
+
+/// The longest side of a picture, of which the fine one is within what a view may have.
+pub(super) const MAX_SIDE: u32 = crate::camera::MAX_SIDE / GRID;
 
 /// How many more rays go through a pixel at an edge, beside the one through its
 /// center.

@@ -35,8 +35,8 @@ impl<O: Observer> Renderer<'_, O> {
         D: DrawTarget,
         D::Color: Pixel,
     {
-        let output = self.output;
         let row = Row::line(y, self.raster.columns());
+        let output = self.output;
         let pixels = self.raster.pixels(y, row.columns, &mut self.observer);
         fill_line(&row, pixels, output, target)
     }
@@ -79,10 +79,11 @@ impl<O: Observer> Renderer<'_, O> {
         D: DrawTarget,
         D::Color: Pixel,
     {
-        let (size, output) = (self.size(), self.output);
+        let size = self.size();
         let Some(row) = drawing.row(size) else {
             return Ok(());
         };
+        let output = self.output;
         let pixels = self.raster.pixels(row.y, row.columns, &mut self.observer);
         if row.block > 1 {
             return fill_blocks(drawing, size, &row, pixels, output, target);
@@ -117,7 +118,8 @@ impl<O: Observer> Renderer<'_, O> {
         D: DrawTarget,
         D::Color: Pixel,
     {
-        let (size, output) = (self.size(), self.output);
+        let size = self.size();
+        let output = self.output;
         let mut counting = Counting {
             observer: &mut self.observer,
             rays: 0,
@@ -166,7 +168,7 @@ where
         let block = row.block_at(x);
         target.fill_contiguous(
             &block,
-            block.points().map(|at| D::Color::show(color, at, output)),
+            block.points().map(|at| Pixel::show(color, at, output)),
         )?;
         drawing.advance(1, size);
     }
@@ -184,7 +186,7 @@ where
     D: DrawTarget,
     D::Color: Pixel,
 {
-    let colors = pixels.map(|(x, color)| D::Color::show(color, row.point(x), output));
+    let colors = pixels.map(|(x, color)| Pixel::show(color, row.point(x), output));
     target.fill_contiguous(&row.area(), colors)
 }
 
@@ -200,7 +202,7 @@ where
     D::Color: Pixel,
 {
     let dots = pixels.map(|(x, color)| (row.point(x), color));
-    target.draw_iter(dots.map(|(at, color)| Dot(at, D::Color::show(color, at, output))))
+    target.draw_iter(dots.map(|(at, color)| Dot(at, Pixel::show(color, at, output))))
 }
 
 /// Pixels, until a budget of rays is spent.

@@ -43,6 +43,7 @@ impl Camera {
     /// let from_the_right = camera.orbited(Real::lit("90"), Real::ZERO);
     /// assert_eq!(from_the_right.eye, Vec3::lit("8", "1", "0"));
     /// ```
+    #[inline(never)]
     pub fn orbited(self, yaw_deg: Real, pitch_deg: Real) -> Self {
         let way = self.eye.zip(self.look_at, Real::saturating_sub);
         let up = direction(self.up.map(Real::to_bits));
@@ -65,25 +66,27 @@ impl Camera {
 }
 
 /// How far the way from `look_at` to the eye is to be raised, around `level`.
+#[inline(never)]
 fn pitch(view: Vec3<Unit>, up: Vec3<Unit>, level: Vec3<Unit>, degrees: Real) -> Turn {
     const HALF: Real = Real::lit("180");
+    /// By 89 degrees; a constant, or the text would be read by the chip.
+    const STEEPEST: Turn = Turn {
+        cos: Unit::lit("0.0174524064"),
+        sin: Unit::lit("0.9998476952"),
+    };
     let ahead = direction(up.cross(level)).unwrap_or(view);
     let elevation = Turn {
         cos: view.cosine(ahead),
         sin: view.cosine(up),
     };
     let turn = Turn::by(degrees.clamp(-HALF, HALF));
-    let steepest = Turn {
-        cos: Unit::lit("0.0174524064"),
-        sin: Unit::lit("0.9998476952"),
-    };
-    if elevation.then(turn).cos >= steepest.cos.min(elevation.cos) {
+    if elevation.then(turn).cos >= STEEPEST.cos.min(elevation.cos) {
         return turn;
     }
     let limit = if degrees < 0 {
-        steepest.back()
+        STEEPEST.back()
     } else {
-        steepest
+        STEEPEST
     };
     limit.then(elevation.back())
 }
@@ -92,19 +95,22 @@ fn pitch(view: Vec3<Unit>, up: Vec3<Unit>, level: Vec3<Unit>, degrees: Real) -> 
 /// `v cos + (axis × v) sin + axis (axis · v) (1 - cos)`.
 fn turned(v: Vec3<Real>, axis: Vec3<Unit>, turn: Turn) -> Vec3<Real> {
     let v = v.map(|c| i128::from(c.to_bits()));
-    let axis = axis.map(|c| i128::from(c.to_bits()));
-    let [cos, sin] = [turn.cos, turn.sin].map(|c| i128::from(c.to_bits()));
-    // Q32 * Q30 -> Q62, to Q32
-    let rounded = |product: i128| (product + (1 << 29)) >> 30;
-    let across = Vec3::new(
-        rounded(axis.y * v.z - axis.z * v.y),
-        rounded(axis.z * v.x - axis.x * v.z),
-        rounded(axis.x * v.y - axis.y * v.x),
-    );
-    let along = rounded(axis.x * v.x + axis.y * v.y + axis.z * v.z);
-    let kept = rounded(along * ((1 << 30) - cos));
-    let sum = v
-        .zip(across, |v, across| v * cos + across * sin)
-        .zip(axis, |sum, axis| rounded(sum + axis * kept));
-    sum.map(|c| Real::from_bits(c.clamp(i64::MIN.into(), i64::MAX.into()) as i64))
+    let Vec3 { x, y, z } = axis.map(|c| i64::from(c.to_bits()));
+    let [cos, sin] = [turn.cos, turn.sin].map(|c| i64::from(c.to_bits()));
+    let across = Vec3::new([0, -z, y], [z, 0, -x], [-y, x, 0]).map(|row| dot([v.x, v.y, v.z], row));
+    let along = dot([v.x, v.y, v.z], [x, y, z]);
+    let kept = dot([along, 0, 0], [(1 << 30) - cos, 0, 0]);
+    v.zip(across, |v, across| (v, across))
+        .zip(Vec3::new(x, y, z), |(v, across), axis| {
+            let sum = dot([v, across, kept], [cos, sin, axis]);
+            Real::from_bits(sum.clamp(i64::MIN.into(), i64::MAX.into()) as i64)
+        })
+}
+
+/// A sum of products, Q32 * Q30 -> Q62, rounded to Q32. Not inlined: products of
+/// 128 bits are long.
+#[inline(never)]
+fn dot([x, y, z]: [i128; 3], [a, b, c]: [i64; 3]) -> i128 {
+    let sum = x * i128::from(a) + y * i128::from(b) + z * i128::from(c);
+    (sum + (1 << 29)) >> 30
 }

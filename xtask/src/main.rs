@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use anyhow::{Result, bail};
 use lexopt::prelude::*;
 use xtask::qemu::{Arithmetic, Core, Machine};
-use xtask::{bench, firmware, model, pico, povray, profile, qemu, size, test, tidy};
+use xtask::{bench, firmware, model, oled, pico, povray, profile, size, test, tidy};
 
 const HELP: &str = "\
 cargo xtask TASK
@@ -15,7 +15,9 @@ cargo xtask TASK
                         of these words. Installs the tools that are missing.
   qemu [SCENE] [--shot FILE.png] [--window]
                         Draws a scene on the OLED of the LM3S6965 board, in QEMU;
-                        takes a screenshot, or shows the display in a window.
+                        takes a screenshot, or shows the display in a window, where
+                        arrow keys move the camera and left Ctrl, unless there is
+                        but one, shows the next scene.
   headless SCENE [--size WxH] [--core m0|m3|m4f|m7|m33] [--float]
                         Draws a scene on a core, in QEMU, and prints what it took;
                         in floating point for comparison.
@@ -80,9 +82,9 @@ fn task() -> Result<()> {
 fn on_the_oled(options: &Options) -> Result<()> {
     let elf = firmware::LM3S6965EVB.build(options.scene()?.as_deref())?;
     if options.window {
-        return qemu::show(&elf);
+        return oled::show(&elf);
     }
-    let report = qemu::draw_on_oled(&elf, options.shot.as_deref())?;
+    let report = oled::draw(&elf, options.shot.as_deref())?;
     print!("{report}");
     report.result().map(drop)
 }

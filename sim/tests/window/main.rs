@@ -104,14 +104,29 @@ fn a_person_can_look_and_try() -> Outcome {
         window.press(key.into())?;
         window.wait_for("the output before", |shot| shot.shows(&oled))?;
     }
+    let title = |edges| {
+        format!("one (1 of 2) on ssd0323 128x64 gray4, dither, linear, {edges}, line by line")
+    };
     window.press('o'.into())?;
     window.wait_for("the other order", |shot| {
         shot.shows(&oled)
             && shot.says(
-                "one (1 of 2) on ssd0323 128x64 gray4, dither, linear, line by line",
+                "one (1 of 2) on ssd0323 128x64 gray4, dither, linear, jagged, line by line",
                 BRIGHT,
             )
     })?;
+
+    let smooth = here.rendered(&[&["one.toml", "--antialias", "4"][..], &on_oled].concat())?;
+    window.press('a'.into())?;
+    window.wait_for("smooth edges", |shot| {
+        shot.shows(&smooth) && shot.says(&title("4 rays at edges"), BRIGHT)
+    })?;
+    window.press('a'.into())?;
+    window.wait_for("smoother edges", |shot| {
+        shot.says(&title("16 rays at edges"), BRIGHT)
+    })?;
+    window.press('a'.into())?;
+    window.wait_for("jagged edges", |shot| shot.shows(&oled))?;
 
     // The camera goes around, and back.
     for key in [RIGHT, UP, '='.into()] {

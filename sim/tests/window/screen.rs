@@ -80,7 +80,8 @@ pub(crate) struct Shown<'s> {
 }
 
 impl Shown<'_> {
-    /// Presses a key and lets it go: one of Latin-1, or an X symbol.
+    /// Presses a key and lets it go: one of Latin-1, or an X symbol. The same
+    /// key at once again would be taken for one that is held.
     pub(crate) fn press(&self, symbol: u32) -> Outcome {
         let key = self.screen.key(symbol)?;
         let connection = &self.screen.connection;

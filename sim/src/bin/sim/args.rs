@@ -2,7 +2,7 @@ use std::path::PathBuf;
 
 use clap::{Parser, Subcommand, ValueEnum, value_parser};
 use embedded_graphics::geometry::Size;
-use whitted::{Output, Real};
+use whitted::{Output, Real, Samples};
 
 use crate::display::Display;
 
@@ -192,7 +192,7 @@ impl Shown {
     }
 }
 
-/// In which order a display gets its pixels, and how many of them.
+/// In which order a display gets its pixels, how many of them, and how good.
 #[derive(Clone, Copy, Debug, clap::Args)]
 pub(crate) struct Passes {
     /// In which order the display gets its pixels.
@@ -201,10 +201,18 @@ pub(crate) struct Passes {
     /// Stop after so many passes: progressive order has five, scanlines have one.
     #[arg(long = "passes", value_name = "N", default_value_t = Self::ALL, value_parser = value_parser!(u8).range(1..=5))]
     pub(crate) most: u8,
+    /// Smooth edges: this many more rays through pixels that differ from their neighbors.
+    #[arg(long, value_enum, value_name = "N", conflicts_with_all = ["order", "most"])]
+    antialias: Option<Antialias>,
 }
 
 impl Passes {
     const ALL: u8 = 5;
+
+    /// How edges are smoothed.
+    pub(crate) fn samples(&self) -> Option<Samples> {
+        self.antialias.map(Into::into)
+    }
 
     /// The sides of the blocks of each pass.
     pub(crate) fn blocks(&self) -> &'static [u32] {
@@ -221,6 +229,7 @@ impl Default for Passes {
         Self {
             order: Order::default(),
             most: Self::ALL,
+            antialias: None,
         }
     }
 }
@@ -255,6 +264,23 @@ pub(crate) enum Format {
     /// Black and white.
     #[value(alias = "bw")]
     Binary,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Antialias {
+    #[value(name = "4")]
+    Four,
+    #[value(name = "16")]
+    Sixteen,
+}
+
+impl From<Antialias> for Samples {
+    fn from(antialias: Antialias) -> Self {
+        match antialias {
+            Antialias::Four => Self::Four,
+            Antialias::Sixteen => Self::Sixteen,
+        }
+    }
 }
 
 #[derive(Clone, Copy, Debug, Default, ValueEnum)]

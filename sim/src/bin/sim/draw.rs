@@ -5,7 +5,7 @@ use std::time::Duration;
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics_simulator::{OutputImage, OutputSettings};
-use whitted::{Drawing as Steps, PreparedScene, Renderer, Step};
+use whitted::{Antialiased, Drawing as Steps, PreparedScene, Renderer, Sample, Step};
 
 use whitted_sim::cost::Work;
 
@@ -45,7 +45,32 @@ pub(crate) fn frame(
     progress: &mut Progress,
 ) -> Outcome<(OutputImage<Rgb888>, Work)> {
     let mut panel = Panel::new(size, shown.format);
-    let mut renderer = Renderer::with_observer(scene, size, Work::new(scene));
+    let work = match passes.samples() {
+        None => draw_passes(scene, shown, passes, &mut panel, progress)?,
+        Some(samples) => {
+            let (work, mut memory) = (Work::new(scene), two_lines(size));
+            let mut renderer = Antialiased::with_observer(scene, size, samples, &mut memory, work)?;
+            renderer.set_output(shown.output());
+            for y in 0..size.height {
+                renderer.draw_line(y, &mut panel)?;
+                progress.line();
+            }
+            renderer.observer().clone()
+        }
+    };
+    // The default settings show the display's values as they are.
+    let settings = OutputSettings::default();
+    Ok((panel.display.to_rgb_output_image(&settings), work))
+}
+
+fn draw_passes(
+    scene: &PreparedScene<'_>,
+    shown: Shown,
+    passes: Passes,
+    panel: &mut Panel,
+    progress: &mut Progress,
+) -> Outcome<Work> {
+    let mut renderer = Renderer::with_observer(scene, panel.size(), Work::new(scene));
     renderer.set_output(shown.output());
     let area = panel.bounding_box();
     let mut steps = match passes.order {
@@ -54,11 +79,13 @@ pub(crate) fn frame(
     };
     let finest = passes.blocks().last().copied().unwrap_or(1);
     while steps.block() >= finest {
-        renderer.step(&mut steps, Step::Line, &mut panel)?;
+        renderer.step(&mut steps, Step::Line, panel)?;
         progress.line();
     }
-    // The default settings show the display's values as they are.
-    let settings = OutputSettings::default();
-    let image = panel.display.to_rgb_output_image(&settings);
-    Ok((image, renderer.observer().clone()))
+    Ok(renderer.observer().clone())
+}
+
+/// The memory that smooth edges take.
+pub(crate) fn two_lines(size: Size) -> Vec<Sample> {
+    vec![Sample::BLACK; 2 * size.width as usize]
 }

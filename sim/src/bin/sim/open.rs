@@ -3,8 +3,6 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-#[cfg(feature = "window")]
-use whitted::Camera;
 use whitted::{DecodeError, PreparedScene};
 use whitted_sim::scene_file::{self, Buffer, SceneFile};
 
@@ -69,15 +67,6 @@ impl Scene {
         let mut scene = self.prepare(buffer)?;
         overrule(&mut scene, quality)?;
         Ok(scene)
-    }
-
-    /// The camera, to be moved; what is compiled has none as it was written.
-    #[cfg(feature = "window")]
-    pub(crate) fn camera(&self) -> Option<Camera> {
-        match self {
-            Self::File(file) => Some(file.settings.camera),
-            Self::Compiled { .. } => None,
-        }
     }
 
     /// What the scene calls itself.

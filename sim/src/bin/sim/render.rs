@@ -36,12 +36,13 @@ pub(crate) fn render(options: &Render) -> Outcome {
     let mut buffer = Box::new(Buffer::new());
     let prepared = scene.prepare_for(&options.quality, &mut buffer)?;
     let size = options.quality.size;
+    let samples = options.passes.samples();
     let output = options
         .output
         .clone()
         .unwrap_or_else(|| named_after(&options.scene));
     let checksum = if options.linear16 {
-        let linear = linear(&prepared, size);
+        let linear = linear(&prepared, size, samples)?;
         png16::write(&output, &linear.picture)?;
         report::wrote(&output);
         if options.stats {
@@ -60,7 +61,7 @@ pub(crate) fn render(options: &Render) -> Outcome {
         }
         report::stats(&drawing.work, drawing.time)?;
         // The checksum is of linear samples, which a display does not keep.
-        library::checksum(&linear(&prepared, display.size).picture)
+        library::checksum(&linear(&prepared, display.size, samples)?.picture)
     };
     report::checksum(checksum);
     Ok(())

@@ -13,6 +13,7 @@ pub(super) enum Key {
     Format,
     Dither,
     Transfer,
+    Antialiasing,
     Order,
     Chip,
     Save,
@@ -22,7 +23,7 @@ pub(super) enum Key {
 }
 
 /// Keys by the names that SDL has for them.
-const NAMES: [(&str, Key); 23] = [
+const NAMES: [(&str, Key); 24] = [
     ("Left", Key::Left),
     ("Right", Key::Right),
     ("Up", Key::Up),
@@ -40,6 +41,7 @@ const NAMES: [(&str, Key); 23] = [
     ("F", Key::Format),
     ("T", Key::Dither),
     ("G", Key::Transfer),
+    ("A", Key::Antialiasing),
     ("O", Key::Order),
     ("C", Key::Chip),
     ("S", Key::Save),
@@ -53,9 +55,9 @@ const NAMES: [(&str, Key); 23] = [
 pub(super) const HELP: [&str; 6] = [
     "arrows  orbit the camera      n, Tab  next scene            t  dither: on, off",
     "+ -     zoom                  p       previous scene        g  transfer: linear, sRGB",
-    "r       reset the camera      d       next display          o  order: progressive, line by line",
-    "s       save the picture      f       next format           c  chip of the estimate",
-    "h       help on, off                                        q, Esc  quit",
+    "r       reset the camera      d       next display          a  antialiasing: off, 4, 16 rays",
+    "s       save the picture      f       next format           o  order: progressive, line by line",
+    "h       help on, off          c       chip of the estimate  q, Esc  quit",
     "A scene is read again when its file is saved.",
 ];
 

@@ -1,6 +1,6 @@
 use clap::ValueEnum;
 use embedded_graphics::geometry::Size;
-use whitted::{Dither, Output, Transfer};
+use whitted::{Dither, Output, Samples, Transfer};
 use whitted_sim::cost::{BOARDS, Board};
 
 use super::cycle::Cycle;
@@ -13,6 +13,8 @@ pub(super) struct Options {
     pub(super) orders: Cycle<Order>,
     pub(super) dithers: Cycle<Dither>,
     pub(super) transfers: Cycle<Transfer>,
+    /// What is done about edges.
+    pub(super) edges: Cycle<Option<Samples>>,
     pub(super) boards: Cycle<Board>,
 }
 
@@ -25,6 +27,7 @@ impl Options {
             orders: Cycle::new(Order::Progressive, [Order::Scanlines]),
             dithers: Cycle::new(Dither::Ordered, [Dither::Off]),
             transfers: Cycle::new(Transfer::Linear, [Transfer::Srgb]),
+            edges: Cycle::new(None, [Some(Samples::Four), Some(Samples::Sixteen)]),
             boards: Cycle::new(board, boards),
         }
     }
@@ -62,7 +65,12 @@ impl Options {
             Order::Progressive => "progressive",
             Order::Scanlines => "line by line",
         };
+        let edges = match self.edges.current() {
+            None => "jagged",
+            Some(Samples::Four) => "4 rays at edges",
+            Some(Samples::Sixteen) => "16 rays at edges",
+        };
         let (name, format) = (display.name, format_name(display.format));
-        format!("{name} {width}x{height} {format}, {dither}, {transfer}, {order}")
+        format!("{name} {width}x{height} {format}, {dither}, {transfer}, {edges}, {order}")
     }
 }

@@ -5,7 +5,7 @@ use embedded_graphics::mono_font::iso_8859_1::FONT_6X13;
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::text::{Baseline, Text};
-use whitted::{Renderer, Stats};
+use whitted::Stats;
 use whitted_sim::cost::{Board, Model, Work};
 
 use super::keys::HELP;
@@ -38,6 +38,8 @@ pub(super) struct Status<'a> {
     pub(super) board: Board,
     /// Bytes of the prepared scene.
     pub(super) memory: usize,
+    /// Bytes of the renderer.
+    pub(super) renderer: usize,
     pub(super) notice: Notice<'a>,
 }
 
@@ -121,7 +123,7 @@ impl Status<'_> {
     }
 
     fn memory(&self) -> String {
-        let bytes = [self.memory, size_of::<Renderer<'_>>()];
+        let bytes = [self.memory, self.renderer];
         let [scene, renderer] = bytes.map(|bytes| grouped(bytes as u64));
         format!("memory: {scene} bytes the scene, {renderer} the renderer")
     }

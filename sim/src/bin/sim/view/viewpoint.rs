@@ -29,16 +29,12 @@ impl Viewpoint {
     ) -> Outcome<PreparedScene<'b>> {
         let mut prepared = scene.prepare_for(quality, buffer)?;
         if self != Self::default() {
-            let camera = scene
-                .camera()
-                .ok_or("the camera of a compiled scene stays")?;
-            prepared.set_camera(&self.moved(camera))?;
+            prepared.set_camera(&self.moved(prepared.camera()))?;
         }
         Ok(prepared)
     }
 
-    /// The camera, seen from here.
-    pub(super) fn moved(self, camera: Camera) -> Camera {
+    fn moved(self, camera: Camera) -> Camera {
         let [yaw, pitch] = [self.yaw, self.pitch].map(Real::from);
         let mut camera = camera.orbited(yaw, pitch);
         let (tenth, narrowest, widest) = (Real::lit("0.1"), Real::ONE, Real::lit("170"));

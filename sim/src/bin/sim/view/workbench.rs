@@ -2,7 +2,7 @@ use std::path::Path;
 
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics_simulator::SimulatorDisplay;
-use whitted::PreparedScene;
+use whitted::{Camera, PreparedScene};
 use whitted_sim::cost::Model;
 use whitted_sim::scene_file::Buffer;
 
@@ -15,7 +15,7 @@ use super::status::{Notice, Status};
 use super::viewpoint::Viewpoint;
 use crate::args::{Format, Quality, View};
 use crate::display::Display;
-use crate::open::{self, Scene};
+use crate::open;
 use crate::outcome::Outcome;
 
 /// What the window shows and what keys do, without a window.
@@ -103,6 +103,10 @@ impl Workbench {
                 self.options.transfers.next();
                 self.restart();
             }
+            Key::Antialiasing => {
+                self.options.edges.next();
+                self.restart();
+            }
             Key::Chip => self.options.boards.next(),
             Key::Save => self.save(),
             Key::Help | Key::Quit => {}
@@ -133,6 +137,7 @@ impl Workbench {
             model: &self.model,
             board: *self.options.boards.current(),
             memory: self.frame.memory,
+            renderer: self.frame.renderer,
             notice: match source.error() {
                 _ if self.shows_help => Notice::Help,
                 Some(error) => Notice::Error(error),
@@ -142,15 +147,22 @@ impl Workbench {
     }
 
     fn look(&mut self, change: impl FnOnce(&mut Viewpoint)) {
-        let before = self.viewpoint;
+        let (before, camera) = (self.viewpoint, self.camera());
         change(&mut self.viewpoint);
-        let camera = self.sources.current().scene().and_then(Scene::camera);
-        // It goes so far and no farther.
-        let stays =
-            camera.is_some_and(|camera| before.moved(camera) == self.viewpoint.moved(camera));
-        if stays || !self.restart() {
-            self.viewpoint = before;
+        match self.camera() {
+            Some(moved) if Some(moved) != camera => {
+                self.restart();
+            }
+            // It goes so far and no farther.
+            _ => self.viewpoint = before,
         }
+    }
+
+    /// The camera where it was moved to, if it can be there.
+    fn camera(&mut self) -> Option<Camera> {
+        let mut camera = None;
+        self.with_scene(|_, scene| camera = Some(scene.camera()));
+        camera
     }
 
     fn turn_to(&mut self, scene: impl FnOnce(&mut Cycle<Source>)) {
@@ -169,7 +181,8 @@ impl Workbench {
     /// Begins anew; what is shown stays until it is drawn over.
     fn restart(&mut self) -> bool {
         let order = *self.options.orders.current();
-        self.with_scene(|frame, scene| frame.restart(scene, order))
+        let edges = *self.options.edges.current();
+        self.with_scene(|frame, scene| frame.restart(scene, order, edges))
     }
 
     /// Does something with the scene as it is seen now. Returns whether it did,

@@ -6,6 +6,7 @@ use embedded_graphics::prelude::*;
 use super::*;
 use crate::args::{Passes, Shown};
 use crate::draw::draw;
+use crate::open::Scene;
 
 const SCENE: &str = include_str!("../../../../../../scenes/whitted.toml");
 
@@ -173,6 +174,22 @@ fn the_camera_goes_so_far_and_back() -> Outcome {
 }
 
 #[test]
+fn a_compiled_scene_is_orbited_as_its_file() -> Outcome {
+    let here = Directory::new("compiled")?;
+    let scene = here.write("scene.toml", SCENE)?;
+    let compiled = here.0.join("compiled.scene");
+    fs::write(&compiled, whitted_sim::scene_file::compile(&scene)?)?;
+    let mut workbench = workbench(&[scene, compiled], "ssd0323")?;
+    workbench.press(Key::Left);
+    let moved = drawn(&mut workbench);
+    workbench.press(Key::NextScene);
+    let still = drawn(&mut workbench);
+    workbench.press(Key::Left);
+    assert!(still != moved && drawn(&mut workbench) == moved);
+    Ok(())
+}
+
+#[test]
 fn keys_go_through_scenes_displays_formats_and_chips() -> Outcome {
     let here = Directory::new("keys")?;
     let files = [here.write("a.toml", SCENE)?, here.write("b.toml", SCENE)?];
@@ -180,15 +197,23 @@ fn keys_go_through_scenes_displays_formats_and_chips() -> Outcome {
     let title = |workbench: &Workbench| workbench.status().title();
     assert_eq!(
         title(&workbench),
-        "a (1 of 2) on ssd1306 128x64 binary, dither, linear, progressive"
+        "a (1 of 2) on ssd1306 128x64 binary, dither, linear, jagged, progressive"
     );
-    use Key::{Display, Dither, Format, NextScene, Order, Transfer};
-    for key in [NextScene, Display, Format, Order, Dither, Transfer] {
+    use Key::{Antialiasing, Display, Dither, Format, NextScene, Order, Transfer};
+    for key in [
+        NextScene,
+        Display,
+        Format,
+        Order,
+        Dither,
+        Transfer,
+        Antialiasing,
+    ] {
         workbench.press(key);
     }
     assert_eq!(
         title(&workbench),
-        "b (2 of 2) on ssd0323 128x64 gray2, no dither, sRGB, line by line"
+        "b (2 of 2) on ssd0323 128x64 gray2, no dither, sRGB, 4 rays at edges, line by line"
     );
     workbench.press(Key::PreviousScene);
     assert!(title(&workbench).starts_with("a (1 of 2) "));
@@ -199,5 +224,23 @@ fn keys_go_through_scenes_displays_formats_and_chips() -> Outcome {
     assert_eq!(notice(&workbench), "help");
     workbench.press(Key::Help);
     assert_eq!(notice(&workbench), GREETING);
+    Ok(())
+}
+
+#[test]
+fn edges_are_smoothed_once_all_else_is_drawn() -> Outcome {
+    let here = Directory::new("edges")?;
+    let mut workbench = workbench(&[here.write("scene.toml", SCENE)?], "ssd0323")?;
+    let jagged = drawn(&mut workbench);
+    let few = workbench.status().work.stats.eye;
+    workbench.press(Key::Antialiasing);
+    let smooth = drawn(&mut workbench);
+    assert!(smooth != jagged);
+    assert!(workbench.status().work.stats.eye > few);
+    assert_eq!(workbench.status().percent, 100);
+    for _ in 0..2 {
+        workbench.press(Key::Antialiasing);
+    }
+    assert!(drawn(&mut workbench) == jagged);
     Ok(())
 }
