@@ -6,6 +6,7 @@ pub mod bench;
 pub mod firmware;
 pub mod model;
 pub mod oled;
+pub mod pico;
 pub mod povray;
 pub mod profile;
 pub mod qemu;

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use anyhow::{Result, bail};
 use lexopt::prelude::*;
 use xtask::qemu::{Arithmetic, Core, Machine};
-use xtask::{bench, firmware, model, oled, povray, profile, size, test, tidy};
+use xtask::{bench, firmware, model, oled, pico, povray, profile, size, test, tidy};
 
 const HELP: &str = "\
 cargo xtask TASK
@@ -31,6 +31,12 @@ cargo xtask TASK
                         pictures take; writes sim/cost.toml and docs/cost-model.md.
   profile SCENE [--core CORE] [--size WxH]
                         Where the instructions of a frame go, by function and line.
+  pico [SCENE] [--shot FILE.png]
+                        Draws a scene with the firmware of the Raspberry Pi Pico, in
+                        rp2040js, and says its cycles; without one, compares pictures with
+                        the host's, and cycles with the budget.
+  pico --bless          Makes what pictures take now the budget.
+  uf2 [SCENE...]        Builds that firmware, to be dropped on a Pico in boot mode.
   povray [--depth N]    Times POV-Ray, where it is installed, and `cargo sim render` on
                         the sphereflake of this depth; 6 unless told.
   size                  Flash and RAM of each firmware.
@@ -61,6 +67,8 @@ fn task() -> Result<()> {
         "bench" => bench(&options),
         "fit" => model::run(),
         "profile" => profile(&options),
+        "pico" => pico(&options),
+        "uf2" => pico::uf2(&options.scenes()?),
         "povray" => povray::run(options.depth),
         "size" => size::print(),
         "tidy" => tidy::run(),
@@ -92,6 +100,14 @@ fn headless(options: &Options) -> Result<()> {
     let report = machine.draw(&elf, &compiled, size)?;
     print!("{report}");
     report.result().map(drop)
+}
+
+fn pico(options: &Options) -> Result<()> {
+    match options.scene()? {
+        Some(scene) => pico::draw(&scene, options.shot.as_deref()),
+        None if options.bless => pico::bless(),
+        None => pico::check(),
+    }
 }
 
 fn bench(options: &Options) -> Result<()> {
@@ -169,15 +185,19 @@ impl Options {
         Ok(options)
     }
 
-    /// The scene, which is named relative to where the person is.
+    /// The scene.
     fn scene(&self) -> Result<Option<PathBuf>> {
-        match self.values.as_slice() {
-            [] => Ok(None),
-            [scene] => Ok(Some(
-                std::fs::canonicalize(scene)
-                    .map_err(|error| anyhow::anyhow!("{scene}: {error}"))?,
-            )),
-            [_, other, ..] => bail!("one scene at a time, not {other} too"),
+        if let [_, other, ..] = self.values.as_slice() {
+            bail!("one scene at a time, not {other} too");
         }
+        Ok(self.scenes()?.pop())
+    }
+
+    /// The scenes, which are named relative to where the person is.
+    fn scenes(&self) -> Result<Vec<PathBuf>> {
+        let found = |scene: &String| {
+            std::fs::canonicalize(scene).map_err(|error| anyhow::anyhow!("{scene}: {error}"))
+        };
+        self.values.iter().map(found).collect()
     }
 }

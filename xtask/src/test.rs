@@ -6,11 +6,11 @@ use anyhow::{Result, bail};
 
 use crate::command::{self, cargo, command};
 use crate::firmware::{FLOAT, HEADLESS, LM3S6965EVB, MOTION, PRODUCTS, V6M};
-use crate::{bench, tidy, tools};
+use crate::{bench, pico, tidy, tools};
 
 type Step = (&'static str, fn() -> Result<()>);
 
-const STEPS: [Step; 10] = [
+const STEPS: [Step; 11] = [
     ("tools", tools::install),
     ("format", format),
     ("tidy", tidy::run),
@@ -21,6 +21,7 @@ const STEPS: [Step; 10] = [
     ("test-window", test_window),
     ("test-qemu", test_qemu),
     ("budget", bench::check),
+    ("pico", pico::check),
 ];
 
 /// Runs the steps whose names contain one of the words, or all. A step that

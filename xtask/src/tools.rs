@@ -1,5 +1,6 @@
 //! The tools that the tests need, installed where that is possible.
 
+use std::env;
 use std::path::Path;
 
 use anyhow::{Context, Result, bail};
@@ -39,6 +40,17 @@ fn has_target(target: &str) -> bool {
     })
 }
 
+/// The linker of firmware whose stack must not grow into its statics.
+pub(crate) fn install_flip_link() -> Result<()> {
+    let path = env::var_os("PATH").unwrap_or_default();
+    let name = format!("flip-link{}", env::consts::EXE_SUFFIX);
+    if env::split_paths(&path).any(|folder| folder.join(&name).is_file()) {
+        return Ok(());
+    }
+    run(cargo().args(["install", "--quiet", "--locked", "flip-link"]))
+        .context("missing; to install it: cargo install --locked flip-link")
+}
+
 fn rustup(arguments: &[&str]) -> Result<()> {
     run(command("rustup").args(arguments))
         .with_context(|| format!("missing; to install it: rustup {}", arguments.join(" ")))
@@ -55,7 +67,7 @@ struct Package {
     brew: &'static str,
 }
 
-const PACKAGES: [Package; 3] = [
+const PACKAGES: [Package; 4] = [
     Package {
         program: QEMU,
         argument: "--version",
@@ -79,6 +91,14 @@ const PACKAGES: [Package; 3] = [
         dnf: "xorg-x11-server-Xvfb",
         pacman: "xorg-server-xvfb",
         brew: "--cask xquartz",
+    },
+    Package {
+        program: "npm",
+        argument: "--version",
+        apt: &["nodejs", "npm"],
+        dnf: "nodejs-npm",
+        pacman: "nodejs npm",
+        brew: "node",
     },
 ];
 
