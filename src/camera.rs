@@ -150,6 +150,15 @@ impl Row {
     }
 }
 
+/// Columns of a raster: `from`, and every one that is a multiple of
+/// `1 << spacing` further, below `to`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Columns {
+    pub(crate) from: u32,
+    pub(crate) to: u32,
+    pub(crate) spacing: u8,
+}
+
 /// Eye rays along a line.
 #[derive(Clone, Debug)]
 pub(crate) struct Line {
@@ -168,12 +177,25 @@ impl Line {
             .zip(self.step, |d, s| d.wrapping_add(s.wrapping_mul(steps)));
         self.remaining = self.remaining.saturating_sub(count);
     }
+
+    /// Those of the rays of a whole line that go through some columns.
+    pub(crate) fn through(mut self, columns: Columns) -> Self {
+        let Columns { from, to, spacing } = columns;
+        let to = to.min(self.remaining);
+        self.skip_to(from);
+        let round_up = (1 << spacing) - 1;
+        Self {
+            step: self.step.map(|s| s << spacing),
+            remaining: (to.saturating_sub(from) + round_up) >> spacing,
+            ..self
+        }
+    }
 }
 
 impl Iterator for Line {
     type Item = Ray;
 
-    #[inline]
+    #[inline(always)]
     fn next(&mut self) -> Option<Ray> {
         self.remaining = self.remaining.checked_sub(1)?;
         // Q62 -> Q30, rounded

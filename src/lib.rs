@@ -6,7 +6,8 @@
 //! and brings it to fixed point, into memory of the caller's;
 //! [`SceneBuffer::decode`] reads one that was prepared before. A [`Renderer`]
 //! then draws it line by line into any `DrawTarget`, and cannot fail but by the
-//! display's own errors.
+//! display's own errors. A [`Drawing`] is drawn step by step, so that other work
+//! can be done in between.
 //!
 //! ```
 //! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};
@@ -32,7 +33,7 @@
 //!
 //! To read the code, follow the data: `scene` (what is written down), `prepare`
 //! (checks and scale), `camera`, `ray`, `shape`, `intersect`, `shade`, `tracer`,
-//! `pixel`, `renderer`. `num` has the formats, docs/fixed-point.md why they are
+//! `raster`, `pixel`, `drawing`, `renderer`. `num` has the formats, docs/fixed-point.md why they are
 //! so.
 
 mod acceleration;
@@ -43,6 +44,7 @@ mod checksum;
 mod color;
 mod compiled;
 mod coverage;
+mod drawing;
 mod error;
 mod intersect;
 mod num;
@@ -51,6 +53,7 @@ mod optics;
 mod pixel;
 mod prepare;
 mod prepared;
+mod raster;
 mod ray;
 mod renderer;
 mod scene;
@@ -65,6 +68,7 @@ pub use buffer::SceneBuffer;
 pub use checksum::Crc32;
 pub use color::Color;
 pub use compiled::counts;
+pub use drawing::{Drawing, Step};
 pub use error::{DecodeError, Item, Problem, SceneError};
 pub use num::{Radiance, Real};
 pub use observer::{Node, Observer, RayKind, ShapeKind, Stats};

@@ -113,6 +113,29 @@ fn every_format_is_rendered() -> Outcome {
 }
 
 #[test]
+fn passes_end_with_the_picture() -> Outcome {
+    let here = Directory::new("passes")?;
+    let render = |order: &[&str]| {
+        let args = ["render", "whitted", "--size", "70x33", "-o", "passes.png"];
+        here.ok(&[&args, order].concat())?;
+        Ok::<_, Box<dyn Error>>(png16::read(here.0.join("passes.png"))?.pixels)
+    };
+    let scanlines = render(&["--passes", "1"])?;
+    for passes in 1..=5_u8 {
+        let count = passes.to_string();
+        let pixels = render(&["--order", "progressive", "--passes", &count])?;
+        assert_eq!(pixels == scanlines, passes == 5, "{passes}");
+        let block = 16 >> (passes - 1);
+        for (index, pixel) in pixels.iter().enumerate() {
+            let (x, y) = (index % 70, index / 70);
+            let corner = y / block * block * 70 + x / block * block;
+            assert_eq!(*pixel, scanlines[corner], "({x}, {y}), blocks of {block}");
+        }
+    }
+    Ok(())
+}
+
+#[test]
 fn a_compiled_scene_renders_the_same() -> Outcome {
     let here = Directory::new("compiled")?;
     here.ok(&["compile", "four_spheres", "-o", "four.scene"])?;

@@ -21,9 +21,9 @@ const LAYERS: &[&str] = &[
     // From the one to the other.
     "prepare", "compiled", "buffer",
     // Nearest hit, local light, the tree of rays.
-    "intersect", "shadow", "shade", "tracer",
+    "intersect", "shadow", "shade", "tracer", "raster",
     // Colors to pixels, lines to displays.
-    "pixel", "renderer",
+    "pixel", "drawing", "renderer",
 ];
 
 /// Complains about uses of a higher layer, layers that are not in the list,

@@ -7,7 +7,12 @@ use super::Complaint;
 use super::tokens::Source;
 
 /// Where colors become pixels, and lines meet a DrawTarget.
-const DISPLAY_FILES: [&str; 2] = ["src/pixel.rs", "src/renderer.rs"];
+const DISPLAY_FILES: [&str; 4] = [
+    "src/pixel.rs",
+    "src/drawing.rs",
+    "src/renderer.rs",
+    "src/renderer/display.rs",
+];
 
 const PANICKING_METHODS: [&str; 4] = ["unwrap", "expect", "unwrap_err", "expect_err"];
 const PANICKING_MACROS: [&str; 4] = ["panic", "todo", "unimplemented", "unreachable"];

@@ -62,8 +62,10 @@ pub(crate) struct Render {
     /// The display's pixels.
     #[arg(long, value_enum, default_value_t)]
     pub(crate) format: Format,
+    #[command(flatten)]
+    pub(crate) passes: Passes,
     /// Write linear colors, 16 bits a channel, in place of a display's.
-    #[arg(long, conflicts_with = "format")]
+    #[arg(long, conflicts_with_all = ["format", "order", "most"])]
     pub(crate) linear16: bool,
     /// Print rays, intersection tests, time, what microcontrollers would take, and checksum.
     #[arg(long)]
@@ -117,6 +119,39 @@ pub(crate) struct Quality {
     /// Weight below which a branch of rays ends, 0 to 1, in place of the scene's.
     #[arg(long, value_name = "X", value_parser = real, allow_negative_numbers = true)]
     pub(crate) min_weight: Option<Real>,
+}
+
+/// In which order a display gets its pixels, and how many of them.
+#[derive(Clone, Copy, Debug, clap::Args)]
+pub(crate) struct Passes {
+    /// In which order the display gets its pixels.
+    #[arg(long, value_enum, default_value_t)]
+    pub(crate) order: Order,
+    /// Stop after so many passes: progressive order has five, scanlines have one.
+    #[arg(long = "passes", value_name = "N", default_value_t = Self::ALL, value_parser = value_parser!(u8).range(1..=5))]
+    pub(crate) most: u8,
+}
+
+impl Passes {
+    const ALL: u8 = 5;
+}
+
+impl Default for Passes {
+    fn default() -> Self {
+        Self {
+            order: Order::default(),
+            most: Self::ALL,
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+pub(crate) enum Order {
+    /// Line by line, from the top.
+    #[default]
+    Scanlines,
+    /// In blocks of 16 pixels a side, then 8, 4, 2 and 1.
+    Progressive,
 }
 
 /// The color formats of displays.

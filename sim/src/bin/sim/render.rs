@@ -6,7 +6,7 @@ use embedded_graphics::geometry::Size;
 use whitted_sim::scene_file::Buffer;
 use whitted_sim::{png16, render as library};
 
-use crate::args::{Format, Render};
+use crate::args::{Format, Passes, Render};
 use crate::draw::draw;
 use crate::linear::linear;
 use crate::open::Scene;
@@ -18,7 +18,12 @@ pub(crate) fn default_scene() -> Outcome {
     let scene = Scene::open(Path::new("whitted"))?;
     let mut buffer = Box::new(Buffer::new());
     let prepared = scene.prepare(&mut buffer)?;
-    let drawing = draw(&prepared, Size::new(320, 240), Format::default())?;
+    let drawing = draw(
+        &prepared,
+        Size::new(320, 240),
+        Format::default(),
+        Passes::default(),
+    )?;
     terminal::show(&drawing.image)?;
     report::save(&drawing.image, Path::new("whitted.png"))?;
     Ok(())
@@ -43,7 +48,7 @@ pub(crate) fn render(options: &Render) -> Outcome {
         }
         library::checksum(&linear.picture)
     } else {
-        let drawing = draw(&prepared, size, options.format)?;
+        let drawing = draw(&prepared, size, options.format, options.passes)?;
         report::save(&drawing.image, &output)?;
         if !options.stats {
             return Ok(());
