@@ -7,7 +7,6 @@
 
 mod board;
 mod gpio;
-mod page;
 mod panic;
 mod pl022;
 mod register;
@@ -17,11 +16,10 @@ mod uart;
 use core::fmt::Write;
 
 use cortex_m_rt::entry;
-use embedded_graphics::prelude::OriginDimensions;
+use embedded_graphics::{mono_font::ascii::FONT_5X8, prelude::OriginDimensions};
 use whitted::{Renderer, SceneBuffer};
 
 use board::Board;
-use page::Page;
 
 /// The scene, compiled.
 static SCENE: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/scene.bin"));
@@ -52,10 +50,8 @@ fn main() -> ! {
             )
         }
         Err(error) => {
-            _ = write!(
-                Page::new(&mut oled),
-                "The scene in flash cannot be drawn: {error}."
-            );
+            let text = format_args!("The scene in flash cannot be drawn: {error}.");
+            _ = page::write(&mut oled, &FONT_5X8, text);
             writeln!(uart, "error: {error}")
         }
     };
