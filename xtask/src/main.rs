@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use anyhow::{Result, bail};
 use lexopt::prelude::*;
 use xtask::qemu::{Arithmetic, Core, Machine};
-use xtask::{bench, firmware, model, povray, profile, qemu, size, test, tidy};
+use xtask::{bench, board, firmware, model, povray, profile, qemu, size, test, tidy};
 
 const HELP: &str = "\
 cargo xtask TASK
@@ -31,6 +31,8 @@ cargo xtask TASK
                         Where the instructions of a frame go, by function and line.
   povray [--depth N]    Times POV-Ray, where it is installed, and `cargo sim render` on
                         the sphereflake of this depth; 6 unless told.
+  boards                Builds the firmware of all boards with displays and fails where
+                        one takes more flash than its budget.
   size                  Flash and RAM of each firmware.
   tidy                  Checks the rules of the source code.
 ";
@@ -60,6 +62,7 @@ fn task() -> Result<()> {
         "fit" => model::run(),
         "profile" => profile(&options),
         "povray" => povray::run(options.depth),
+        "boards" => board::build_all(),
         "size" => size::print(),
         "tidy" => tidy::run(),
         _ => {

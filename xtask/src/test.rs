@@ -6,11 +6,11 @@ use anyhow::{Result, bail};
 
 use crate::command::{self, cargo};
 use crate::firmware::{FLOAT, HEADLESS, LM3S6965EVB, PRODUCTS, V6M};
-use crate::{bench, tidy, tools};
+use crate::{bench, board, tidy, tools};
 
 type Step = (&'static str, fn() -> Result<()>);
 
-const STEPS: [Step; 9] = [
+const STEPS: [Step; 10] = [
     ("tools", tools::install),
     ("format", format),
     ("tidy", tidy::run),
@@ -19,6 +19,7 @@ const STEPS: [Step; 9] = [
     ("docs", docs),
     ("test-host", test_host),
     ("test-qemu", test_qemu),
+    ("test-boards", test_boards),
     ("budget", bench::check),
 ];
 
@@ -63,7 +64,11 @@ pub fn run(words: &[String]) -> Result<()> {
 }
 
 fn format() -> Result<()> {
-    command::run(cargo().args(["fmt", "--all", "--check"]))
+    command::run(cargo().args(["fmt", "--all", "--check"]))?;
+    board::all().try_for_each(|board| {
+        let mut fmt = cargo();
+        command::run(fmt.current_dir(board.folder()).args(["fmt", "--check"]))
+    })
 }
 
 /// What runs on the host, tests and examples included.
@@ -102,6 +107,11 @@ fn docs() -> Result<()> {
 
 fn test_host() -> Result<()> {
     command::run(cargo().args(["test", "--quiet", "--no-fail-fast"]))
+}
+
+/// What boards with displays show, in emulators.
+fn test_boards() -> Result<()> {
+    command::run(cargo().args(["test", "--quiet", "--package", "xtask", "--test", "boards"]))
 }
 
 fn test_qemu() -> Result<()> {

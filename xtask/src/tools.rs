@@ -20,6 +20,11 @@ pub(crate) fn install() -> Result<()> {
             rustup(&["component", "add", component])?;
         }
     }
+    // A linker: it fails where there is nothing to link.
+    if command("flip-link").output().is_err() {
+        run(cargo().args(["install", "--quiet", "--locked", "flip-link"]))
+            .context("missing; to install it: cargo install flip-link")?;
+    }
     if !works(command(QEMU).arg("--version")) {
         qemu()?;
     }
