@@ -41,14 +41,14 @@ bind_interrupts!(struct Interrupts {
 });
 
 #[embassy_executor::main]
-async fn main(_: Spawner) {
+async fn main(_spawner: Spawner) {
     let chip = embassy_nrf::init(embassy_nrf::config::Config::default());
 
     // The wiring: D8 to D11 and D13 of the nRF52840-DK, where shields have it.
-    let output = |pin, level| Output::new(pin, level, OutputDrive::Standard);
-    let reset = output(chip.P1_10.into(), Level::High);
-    let data_or_command = output(chip.P1_11.into(), Level::Low);
-    let select = output(chip.P1_12.into(), Level::High);
+    let drive = OutputDrive::Standard;
+    let reset = Output::new(chip.P1_10, Level::High, drive);
+    let data_or_command = Output::new(chip.P1_11, Level::Low, drive);
+    let select = Output::new(chip.P1_12, Level::High, drive);
     let mut mode = spim::Config::default();
     mode.frequency = spim::Frequency::M16;
     let spi = Spim::new_txonly(chip.SPI3, Interrupts, chip.P1_15, chip.P1_13, mode);
