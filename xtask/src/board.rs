@@ -8,8 +8,8 @@ use anyhow::{Context, Result, bail};
 
 use crate::command::{cargo, run};
 use crate::firmware::{V7EM, V8M};
-use crate::size::{Usage, usage};
-use crate::{root, scratch_dir, target_dir};
+use crate::size::usage;
+use crate::{root, scratch_dir, target_dir, tools};
 
 /// Instructions of the ESP32-C3.
 pub(crate) const RISCV: &str = "riscv32imc-unknown-none-elf";
@@ -31,7 +31,7 @@ pub const STM32F405: Board = Board {
     name: "stm32f405",
     target: V7EM,
     features: "",
-    flash: 76_000,
+    flash: 86_000,
 };
 
 /// The same for QEMU.
@@ -46,19 +46,19 @@ pub const BUILT_ONLY: [Board; 3] = [
         name: "rp2350",
         target: V8M,
         features: "",
-        flash: 76_000,
+        flash: 80_000,
     },
     Board {
         name: "nrf52840",
         target: V7EM,
         features: "",
-        flash: 76_000,
+        flash: 86_000,
     },
     Board {
         name: "esp32c3",
         target: RISCV,
         features: "",
-        flash: 200_000,
+        flash: 155_000,
     },
 ];
 
@@ -69,14 +69,12 @@ pub(crate) fn all() -> impl Iterator<Item = Board> {
 
 /// Builds all, prints what they take, and fails where that is over the budget.
 pub fn build_all() -> Result<()> {
-    println!(
-        "{:12} {:>7} {:>7} {:>7}",
-        "board", "flash", "budget", "statics"
-    );
+    println!("{:12} {:>7} {:>7}", "board", "flash", "budget");
     let mut too_large = Vec::new();
     for board in all() {
-        let Usage { flash, ram } = usage(&board.build(None)?)?;
-        println!("{:12} {flash:7} {:7} {ram:7}", board.name, board.flash);
+        tools::target(board.target)?;
+        let flash = usage(&board.build(None)?)?.flash;
+        println!("{:12} {flash:7} {:7}", board.name, board.flash);
         if flash > board.flash {
             too_large.push(board.name);
         }

@@ -18,8 +18,7 @@ type DataOrCommand = PA4<Output>;
 type Reset = PB9<Output>;
 
 type Device = ExclusiveDevice<Spi<SPI1>, Select, NoDelay>;
-type Display =
-    mipidsi::Display<SpiInterface<'static, Device, DataOrCommand>, ILI9341Rgb565, Reset>;
+type Display = mipidsi::Display<SpiInterface<'static, Device, DataOrCommand>, ILI9341Rgb565, Reset>;
 
 /// What the firmware uses of the board.
 pub(crate) struct Board {
