@@ -10,7 +10,6 @@
 mod board;
 mod buttons;
 mod gpio;
-mod page;
 mod panic;
 mod pl022;
 mod register;
@@ -20,13 +19,12 @@ mod uart;
 use core::fmt::Write;
 
 use cortex_m_rt::entry;
-use embedded_graphics::{pixelcolor::Gray4, prelude::*};
+use embedded_graphics::{mono_font::ascii::FONT_5X8, prelude::*};
 use measure::{Checksum, Report};
 use whitted::{DecodeError, Drawing, PreparedScene, Real, Renderer, SceneBuffer, Step};
 
 use board::Board;
 use buttons::Button;
-use page::Page;
 
 // The compiled scenes: `static SCENES: [&[u8]; N]`; and `const COUNTS`, the room
 // that any of them takes.
@@ -106,9 +104,8 @@ fn draw(scene: &PreparedScene<'_>, board: &mut Board) -> Button {
 /// Tells why a scene cannot be drawn, until the select button is pressed.
 #[inline(never)] // as above
 fn complain(error: DecodeError, board: &mut Board) {
-    let Ok(()) = board.oled.clear(Gray4::BLACK);
-    let mut page = Page::new(&mut board.oled);
-    _ = write!(page, "The scene in flash cannot be drawn: {error}.");
+    let text = format_args!("The scene in flash cannot be drawn: {error}.");
+    _ = page::write(&mut board.oled, &FONT_5X8, text);
     _ = write!(board.uart, "error: {error}\n{}\n", measure::END);
     while !matches!(board.buttons.wait(), Button::Select) {}
 }
