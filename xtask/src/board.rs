@@ -31,7 +31,7 @@ pub const STM32F405: Board = Board {
     name: "stm32f405",
     target: V7EM,
     features: "",
-    flash: 86_000,
+    flash: 87_000,
 };
 
 /// The same for QEMU.
