@@ -120,6 +120,9 @@ fn checksum_of(bytes: &[u8]) -> u32 {
     crc.finish()
 }
 
+/// Not inlined, as whoever decodes then draws, and its variables would take stack
+/// all the while.
+#[inline(never)]
 pub(crate) fn decode(bytes: &[u8], room: &mut impl Room) -> Result<Settings, DecodeError> {
     room.clear();
     if !bytes.starts_with(&MAGIC) {

@@ -4,7 +4,6 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::{env, error::Error, fs};
 
-use whitted::{Camera, Real, Vec3};
 use whitted_sim::scene_file;
 
 /// The scenes that the select button goes through, unless told.
@@ -34,45 +33,28 @@ fn main() -> Result<(), Box<dyn Error>> {
     for (index, file) in files.iter().enumerate() {
         let file = root.join(file);
         println!("cargo::rerun-if-changed={}", file.display());
-        let (compiled, camera) = compile(&file)?;
+        let compiled = compile(&file)?;
         let needed = whitted::counts(&compiled);
         counts = std::array::from_fn(|list| needed[list].max(counts[list]));
         let name = out.join(format!("{index}.bin"));
         fs::write(&name, compiled)?;
-        writeln!(
-            scenes,
-            "    Stored {{ compiled: include_bytes!({name:?}), camera: {} }},",
-            camera.map_or("None".to_owned(), |camera| source(&camera)),
-        )?;
+        writeln!(scenes, "    include_bytes!({name:?}),")?;
     }
     let text = format!(
         "const COUNTS: [usize; 3] = {counts:?};
-static SCENES: [Stored; {}] = [\n{scenes}];\n",
+static SCENES: [&[u8]; {}] = [\n{scenes}];\n",
         files.len(),
     );
     Ok(fs::write(out.join("scenes.rs"), text)?)
 }
 
-/// A scene for the decoder, and its camera if that is known.
-fn compile(file: &Path) -> Result<(Vec<u8>, Option<Camera>), Box<dyn Error>> {
-    if file.extension().is_none_or(|extension| extension != "toml") {
-        let bytes = fs::read(file).map_err(|error| format!("{}: {error}", file.display()))?;
-        return Ok((bytes, None));
+/// A scene for the decoder.
+fn compile(file: &Path) -> Result<Vec<u8>, Box<dyn Error>> {
+    if file
+        .extension()
+        .is_some_and(|extension| extension == "toml")
+    {
+        return Ok(scene_file::compile(file).map_err(|error| error.to_string())?);
     }
-    let compiled = scene_file::compile(file).map_err(|error| error.to_string())?;
-    let camera = scene_file::load(file).map_err(|error| error.to_string())?;
-    Ok((compiled, Some(camera.settings.camera)))
-}
-
-/// A camera as an expression, bit for bit.
-fn source(camera: &Camera) -> String {
-    let real = |value: Real| format!("Real::from_bits({})", value.to_bits());
-    let vector = |Vec3 { x, y, z }| format!("Vec3::new({}, {}, {})", real(x), real(y), real(z));
-    format!(
-        "Some(Camera {{ eye: {}, look_at: {}, up: {}, fovy_deg: {} }})",
-        vector(camera.eye),
-        vector(camera.look_at),
-        vector(camera.up),
-        real(camera.fovy_deg),
-    )
+    Ok(fs::read(file).map_err(|error| format!("{}: {error}", file.display()))?)
 }

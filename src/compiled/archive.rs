@@ -40,6 +40,8 @@ pub(super) struct Reader<'a> {
 }
 
 impl Archive for Reader<'_> {
+    /// Not inlined: there are many fields, and they are read once.
+    #[inline(never)]
     fn bytes<const N: usize>(&mut self, bytes: &mut [u8; N]) {
         if let Some((first, rest)) = self.bytes.split_first_chunk::<N>() {
             (*bytes, self.bytes) = (*first, rest);

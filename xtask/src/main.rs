@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use anyhow::{Result, bail};
 use lexopt::prelude::*;
 use xtask::qemu::{Arithmetic, Core, Machine};
-use xtask::{bench, firmware, model, oled, pico, povray, profile, size, test, tidy};
+use xtask::{bench, board, firmware, model, oled, pico, povray, profile, size, test, tidy};
 
 const HELP: &str = "\
 cargo xtask TASK
@@ -39,6 +39,8 @@ cargo xtask TASK
   uf2 [SCENE...]        Builds that firmware, to be dropped on a Pico in boot mode.
   povray [--depth N]    Times POV-Ray, where it is installed, and `cargo sim render` on
                         the sphereflake of this depth; 6 unless told.
+  boards                Builds the firmware of all boards with displays and fails where
+                        one takes more flash than its budget.
   size                  Flash and RAM of each firmware.
   tidy                  Checks the rules of the source code.
 ";
@@ -70,6 +72,7 @@ fn task() -> Result<()> {
         "pico" => pico(&options),
         "uf2" => pico::uf2(&options.scenes()?),
         "povray" => povray::run(options.depth),
+        "boards" => board::build_all(),
         "size" => size::print(),
         "tidy" => tidy::run(),
         _ => {

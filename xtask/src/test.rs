@@ -6,11 +6,11 @@ use anyhow::{Result, bail};
 
 use crate::command::{self, cargo, command};
 use crate::firmware::{FLOAT, HEADLESS, LM3S6965EVB, MOTION, PRODUCTS, V6M};
-use crate::{bench, pico, tidy, tools};
+use crate::{bench, board, pico, tidy, tools};
 
 type Step = (&'static str, fn() -> Result<()>);
 
-const STEPS: [Step; 11] = [
+const STEPS: [Step; 12] = [
     ("tools", tools::install),
     ("format", format),
     ("tidy", tidy::run),
@@ -20,6 +20,7 @@ const STEPS: [Step; 11] = [
     ("test-host", test_host),
     ("test-window", test_window),
     ("test-qemu", test_qemu),
+    ("test-boards", test_boards),
     ("budget", bench::check),
     ("pico", pico::check),
 ];
@@ -65,7 +66,11 @@ pub fn run(words: &[String]) -> Result<()> {
 }
 
 fn format() -> Result<()> {
-    command::run(cargo().args(["fmt", "--all", "--check"]))
+    command::run(cargo().args(["fmt", "--all", "--check"]))?;
+    board::all().try_for_each(|board| {
+        let mut fmt = cargo();
+        command::run(fmt.current_dir(board.folder()).args(["fmt", "--check"]))
+    })
 }
 
 /// All that runs on the host is built with windows, once for all steps.
@@ -132,6 +137,11 @@ fn test_window() -> Result<()> {
         xvfb.args(["test", "--quiet", "--test", "window"])
             .args(WINDOW),
     )
+}
+
+/// What boards with displays show, in emulators.
+fn test_boards() -> Result<()> {
+    command::run(cargo().args(["test", "--quiet", "--package", "xtask", "--test", "boards"]))
 }
 
 fn test_qemu() -> Result<()> {

@@ -11,11 +11,7 @@ use crate::qemu::QEMU;
 
 /// Installs what is missing; fails with the command that would, where it cannot.
 pub(crate) fn install() -> Result<()> {
-    for target in TARGETS {
-        if !has_target(target) {
-            rustup(&["target", "add", target])?;
-        }
-    }
+    TARGETS.into_iter().try_for_each(target)?;
     for (subcommand, component) in [("clippy", "clippy"), ("fmt", "rustfmt")] {
         if !works(cargo().args([subcommand, "--version"])) {
             rustup(&["component", "add", component])?;
@@ -26,7 +22,15 @@ pub(crate) fn install() -> Result<()> {
             package.install()?;
         }
     }
-    Ok(())
+    install_flip_link()
+}
+
+/// Installs the standard library for a target, if it is missing.
+pub(crate) fn target(target: &str) -> Result<()> {
+    if has_target(target) {
+        return Ok(());
+    }
+    rustup(&["target", "add", target])
 }
 
 /// Whether the standard library for the target is there, whoever put it there.

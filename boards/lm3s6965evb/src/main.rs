@@ -10,7 +10,6 @@
 mod board;
 mod buttons;
 mod gpio;
-mod page;
 mod panic;
 mod pl022;
 mod register;
@@ -20,25 +19,15 @@ mod uart;
 use core::fmt::Write;
 
 use cortex_m_rt::entry;
-use embedded_graphics::{pixelcolor::Gray4, prelude::*};
+use embedded_graphics::{mono_font::ascii::FONT_5X8, prelude::*};
 use measure::{Checksum, Report};
-use whitted::{
-    Camera, DecodeError, Drawing, PreparedScene, Real, Renderer, SceneBuffer, Step, Vec3,
-};
+use whitted::{DecodeError, Drawing, PreparedScene, Real, Renderer, SceneBuffer, Step};
 
 use board::Board;
 use buttons::Button;
-use page::Page;
 
-/// A scene in flash.
-struct Stored {
-    /// What [`SceneBuffer::decode`] reads.
-    compiled: &'static [u8],
-    /// Its camera, which the arrow buttons move.
-    camera: Option<Camera>,
-}
-
-// `static SCENES: [Stored; N]`, and `const COUNTS`, the room that any of them takes.
+// The compiled scenes: `static SCENES: [&[u8]; N]`; and `const COUNTS`, the room
+// that any of them takes.
 include!(concat!(env!("OUT_DIR"), "/scenes.rs"));
 
 /// How far a press of an arrow button goes, in degrees.
@@ -53,9 +42,9 @@ fn main() -> ! {
 
     let mut board = Board::new(PIXELS);
     loop {
-        for stored in &SCENES {
-            match BUFFER.decode(stored.compiled) {
-                Ok(mut scene) => show(&mut scene, stored.camera, &mut board),
+        for scene in SCENES {
+            match BUFFER.decode(scene) {
+                Ok(mut scene) => show(&mut scene, &mut board),
                 Err(error) => complain(error, &mut board),
             }
         }
@@ -64,30 +53,24 @@ fn main() -> ! {
 
 /// Shows a scene from wherever the arrow buttons lead, until the select button
 /// is pressed.
-fn show(scene: &mut PreparedScene<'_>, mut camera: Option<Camera>, board: &mut Board) {
+fn show(scene: &mut PreparedScene<'_>, board: &mut Board) {
     loop {
-        match (draw(scene, board), &mut camera) {
-            (Button::Select, _) => return,
-            (arrow, Some(camera)) => orbit(scene, camera, arrow),
-            (_, None) => {}
+        match draw(scene, board) {
+            Button::Up => orbit(scene, Real::ZERO, TURN),
+            Button::Down => orbit(scene, Real::ZERO, -TURN),
+            Button::Left => orbit(scene, -TURN, Real::ZERO),
+            Button::Right => orbit(scene, TURN, Real::ZERO),
+            Button::Select => return,
         }
     }
 }
 
-/// Moves the camera. Where it cannot go, it stays.
+/// Moves the camera around what it looks at.
 #[inline(never)] // else its variables would take stack while a picture is drawn
-fn orbit(scene: &mut PreparedScene<'_>, camera: &mut Camera, arrow: Button) {
-    let [right, up] = match arrow {
-        Button::Up => [Real::ZERO, TURN],
-        Button::Down => [Real::ZERO, -TURN],
-        Button::Left => [-TURN, Real::ZERO],
-        Button::Right => [TURN, Real::ZERO],
-        Button::Select => return,
-    };
-    let moved = camera.orbited(right, up);
-    if scene.set_camera(&moved).is_ok() {
-        *camera = moved;
-    }
+fn orbit(scene: &mut PreparedScene<'_>, yaw: Real, pitch: Real) {
+    let camera = scene.camera().orbited(yaw, pitch);
+    // Where it cannot go, it stays.
+    _ = scene.set_camera(&camera);
 }
 
 /// Draws a picture, the whole of it at once, then in ever more detail, and tells
@@ -121,9 +104,8 @@ fn draw(scene: &PreparedScene<'_>, board: &mut Board) -> Button {
 /// Tells why a scene cannot be drawn, until the select button is pressed.
 #[inline(never)] // as above
 fn complain(error: DecodeError, board: &mut Board) {
-    let Ok(()) = board.oled.clear(Gray4::BLACK);
-    let mut page = Page::new(&mut board.oled);
-    _ = write!(page, "The scene in flash cannot be drawn: {error}.");
+    let text = format_args!("The scene in flash cannot be drawn: {error}.");
+    _ = page::write(&mut board.oled, &FONT_5X8, text);
     _ = write!(board.uart, "error: {error}\n{}\n", measure::END);
     while !matches!(board.buttons.wait(), Button::Select) {}
 }
