@@ -7,11 +7,12 @@ use anyhow::{Context, Result};
 
 use crate::board::PICO;
 use crate::command::{command, run};
-use crate::size;
+use crate::{size, tools};
 
 /// The firmware as it is flashed, with these scenes or, if none are given, those
 /// that it has by default: an ELF file.
 pub(super) fn build(scenes: &[&Path]) -> Result<PathBuf> {
+    tools::install_flip_link()?;
     if scenes.is_empty() {
         return PICO.build(None);
     }
