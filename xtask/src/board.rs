@@ -3,11 +3,12 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 use anyhow::{Context, Result, bail};
 
 use crate::command::{cargo, run};
-use crate::firmware::{V7EM, V8M};
+use crate::firmware::{V6M, V7EM, V8M};
 use crate::size::usage;
 use crate::{root, scratch_dir, target_dir, tools};
 
@@ -40,6 +41,14 @@ pub const STM32F405_IN_QEMU: Board = Board {
     ..STM32F405
 };
 
+/// The Raspberry Pi Pico with an ST7789, which rp2040js runs as it is.
+pub const PICO: Board = Board {
+    name: "pico",
+    target: V6M,
+    features: "",
+    flash: 110_000,
+};
+
 /// Those that no emulator runs.
 pub const BUILT_ONLY: [Board; 3] = [
     Board {
@@ -64,7 +73,7 @@ pub const BUILT_ONLY: [Board; 3] = [
 
 /// All of them, as they are on hardware.
 pub(crate) fn all() -> impl Iterator<Item = Board> {
-    [STM32F405].into_iter().chain(BUILT_ONLY)
+    [STM32F405, PICO].into_iter().chain(BUILT_ONLY)
 }
 
 /// Builds all, prints what they take, and fails where that is over the budget.
@@ -85,28 +94,38 @@ pub fn build_all() -> Result<()> {
     Ok(())
 }
 
+/// Where all of them are built, so that what they share is built once.
+fn built() -> PathBuf {
+    target_dir().join("boards")
+}
+
 impl Board {
     /// Its folder.
     pub(crate) fn folder(self) -> PathBuf {
         root().join("boards").join(self.name)
     }
 
+    /// Cargo there, as its settings hold in its folder.
+    pub(crate) fn cargo(self, subcommand: &str) -> Command {
+        let mut cargo = cargo();
+        cargo.current_dir(self.folder());
+        cargo.env("CARGO_TARGET_DIR", built());
+        cargo.arg(subcommand);
+        cargo
+    }
+
     /// Builds it, with this scene in flash in place of the default scene, and
     /// returns the program, as a file that a later build does not change.
     pub fn build(self, scene: Option<&Path>) -> Result<PathBuf> {
-        let target_dir = target_dir().join("boards");
-        let mut build = cargo();
-        // Its settings hold in its folder.
-        build.current_dir(self.folder());
-        build.args(["build", "--quiet", "--release", "--locked"]);
+        let mut build = self.cargo("build");
+        build.args(["--quiet", "--release", "--locked"]);
         build.args(["--features", self.features]);
-        build.arg("--target-dir").arg(&target_dir);
         if let Some(scene) = scene {
             build.env("SCENE", scene);
         }
         run(&mut build)?;
 
-        let program = target_dir.join(self.target).join("release").join(self.name);
+        let program = built().join(self.target).join("release").join(self.name);
         let scene = scene.and_then(Path::file_stem).unwrap_or_default();
         let copy = format!("{}{}-{}.elf", self.name, self.features, scene.display());
         let copy = scratch_dir()?.join(copy);

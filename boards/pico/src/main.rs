@@ -8,7 +8,6 @@
 
 mod board;
 mod buttons;
-mod page;
 mod pins;
 mod scenes;
 
@@ -16,7 +15,7 @@ mod scenes;
 use {defmt_rtt as _, panic_probe as _};
 
 use defmt::Display2Format;
-use embedded_graphics::prelude::*;
+use embedded_graphics::{mono_font::ascii::FONT_10X20, prelude::*};
 use embedded_hal::digital::OutputPin;
 use rp2040_hal::entry;
 use whitted::{Camera, Drawing, PreparedScene, Real, Renderer, Step};
@@ -41,10 +40,9 @@ fn main() -> ! {
             Ok(mut prepared) => explore(&mut prepared, scene.camera, &mut board),
             Err(error) => {
                 defmt::error!("it cannot be drawn: {}", Display2Format(&error));
-                page::show(
-                    &mut board.display,
-                    format_args!("This scene cannot be drawn: {error}."),
-                );
+                let text = format_args!("This scene cannot be drawn: {error}.");
+                // A display that takes no text cannot be told anything.
+                _ = page::write(&mut board.display, &FONT_10X20, text);
                 while board.button() != Button::Next {}
             }
         }
