@@ -117,6 +117,7 @@ impl Board {
     /// Builds it, with this scene in flash in place of the default scene, and
     /// returns the program, as a file that a later build does not change.
     pub fn build(self, scene: Option<&Path>) -> Result<PathBuf> {
+        tools::install_flip_link()?;
         let mut build = self.cargo("build");
         build.args(["--quiet", "--release", "--locked"]);
         build.args(["--features", self.features]);

@@ -12,7 +12,9 @@ const HELP: &str = "\
 cargo xtask TASK
 
   test [STEP...]        All checks and tests, or the steps whose names contain one
-                        of these words. Installs the tools that are missing.
+                        of these words. Installs the tools that are missing. The
+                        steps `boards` and `pico`, firmware for displays in
+                        emulators, build long and run by name only.
   qemu [SCENE] [--shot FILE.png] [--window]
                         Draws a scene on the OLED of the LM3S6965 board, in QEMU;
                         takes a screenshot, or shows the display in a window, where

@@ -5,12 +5,12 @@ use std::time::{Duration, Instant};
 use anyhow::{Result, bail};
 
 use crate::command::{self, cargo, command};
-use crate::firmware::{FLOAT, HEADLESS, LM3S6965EVB, MOTION, PRODUCTS, V6M};
+use crate::firmware::{V6M, V7M};
 use crate::{bench, board, pico, tidy, tools};
 
 type Step = (&'static str, fn() -> Result<()>);
 
-const STEPS: [Step; 12] = [
+const STEPS: [Step; 10] = [
     ("tools", tools::install),
     ("format", format),
     ("tidy", tidy::run),
@@ -20,17 +20,21 @@ const STEPS: [Step; 12] = [
     ("test-host", test_host),
     ("test-window", test_window),
     ("test-qemu", test_qemu),
-    ("test-boards", test_boards),
     ("budget", bench::check),
-    ("pico", pico::check),
 ];
 
-/// Runs the steps whose names contain one of the words, or all. A step that
-/// fails does not keep the ones after it from running.
+/// Run only if they are named: what boards are made of takes longer to build than
+/// all else.
+const BOARD_STEPS: [Step; 2] = [("boards", test_boards), ("pico", pico::check)];
+
+/// Runs the steps whose names contain one of the words, or all but those of
+/// boards. A step that fails does not keep the ones after it from running.
 pub fn run(words: &[String]) -> Result<()> {
-    let chosen = |name: &str| words.is_empty() || words.iter().any(|word| name.contains(word));
+    let named = |name: &str| words.iter().any(|word| name.contains(word));
+    let is_all = |name: &str| words.is_empty() && BOARD_STEPS.iter().all(|(it, _)| *it != name);
+    let chosen = |name: &str| is_all(name) || named(name);
     let mut summary = Vec::new();
-    for (name, step) in STEPS {
+    for (name, step) in STEPS.into_iter().chain(BOARD_STEPS) {
         if !chosen(name) {
             summary.push((name, "not run", Duration::ZERO));
             continue;
@@ -93,22 +97,13 @@ fn clippy_host() -> Result<()> {
 /// The library where there is no standard library and the fewest instructions,
 /// and the firmware.
 fn clippy_thumb() -> Result<()> {
-    let firmware = [LM3S6965EVB, PRODUCTS]
-        .into_iter()
-        .chain(HEADLESS)
-        .chain(FLOAT)
-        .chain(MOTION);
-    let packages = firmware.map(|firmware| (firmware.package, firmware.target));
-    for (package, target) in [("whitted", V6M)].into_iter().chain(packages) {
+    let packages = ["float", "headless", "lm3s6965evb", "motion"];
+    for (target, packages) in [(V6M, &["whitted", "products"][..]), (V7M, &packages)] {
         let mut clippy = cargo();
-        clippy.args([
-            "clippy",
-            "--quiet",
-            "--package",
-            package,
-            "--target",
-            target,
-        ]);
+        clippy.args(["clippy", "--quiet", "--target", target]);
+        for package in packages {
+            clippy.args(["--package", package]);
+        }
         command::run(clippy.args(["--", "-D", "warnings"]))?;
     }
     Ok(())

@@ -17,12 +17,12 @@ pub(crate) fn install() -> Result<()> {
             rustup(&["component", "add", component])?;
         }
     }
-    for package in PACKAGES {
-        if !works(command(package.program).arg(package.argument)) {
-            package.install()?;
-        }
-    }
-    install_flip_link()
+    PACKAGES.iter().try_for_each(Package::install_if_missing)
+}
+
+/// Installs Node's package manager, if it is missing.
+pub(crate) fn install_npm() -> Result<()> {
+    NPM.install_if_missing()
 }
 
 /// Installs the standard library for a target, if it is missing.
@@ -71,7 +71,7 @@ struct Package {
     brew: &'static str,
 }
 
-const PACKAGES: [Package; 4] = [
+const PACKAGES: [Package; 3] = [
     Package {
         program: QEMU,
         argument: "--version",
@@ -96,17 +96,26 @@ const PACKAGES: [Package; 4] = [
         pacman: "xorg-server-xvfb",
         brew: "--cask xquartz",
     },
-    Package {
-        program: "npm",
-        argument: "--version",
-        apt: &["nodejs", "npm"],
-        dnf: "nodejs-npm",
-        pacman: "nodejs npm",
-        brew: "node",
-    },
 ];
 
+/// Needed by the emulator of the Raspberry Pi Pico alone.
+const NPM: Package = Package {
+    program: "npm",
+    argument: "--version",
+    apt: &["nodejs", "npm"],
+    dnf: "nodejs-npm",
+    pacman: "nodejs npm",
+    brew: "node",
+};
+
 impl Package {
+    fn install_if_missing(&self) -> Result<()> {
+        if works(command(self.program).arg(self.argument)) {
+            return Ok(());
+        }
+        self.install()
+    }
+
     fn install(&self) -> Result<()> {
         if is_root() && works(command("apt-get").arg("--version")) {
             run(command("apt-get").args(["--quiet", "update"]))?;

@@ -8,7 +8,7 @@ use display_stream::{Byte, Controller, Picture};
 
 use super::PANEL;
 use crate::command::{command, run as run_command};
-use crate::{root, scratch_dir};
+use crate::{root, scratch_dir, tools};
 
 /// Where the script is, and what it needs of npm.
 const FOLDER: &str = "boards/pico/emulator";
@@ -92,6 +92,7 @@ fn install() -> Result<()> {
     if is_there {
         return Ok(());
     }
+    tools::install_npm()?;
     let mut npm = command("npm");
     npm.args(["ci", "--silent", "--no-audit", "--no-fund"]);
     run_command(npm.current_dir(folder))

@@ -7,12 +7,11 @@ use anyhow::{Context, Result};
 
 use crate::board::PICO;
 use crate::command::{command, run};
-use crate::{size, tools};
+use crate::size;
 
 /// The firmware as it is flashed, with these scenes or, if none are given, those
 /// that it has by default: an ELF file.
 pub(super) fn build(scenes: &[&Path]) -> Result<PathBuf> {
-    tools::install_flip_link()?;
     if scenes.is_empty() {
         return PICO.build(None);
     }
