@@ -18,15 +18,15 @@ pub use sample::Sample;
 
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Point, Size};
-use embedded_graphics_core::primitives::Rectangle;
 
 use crate::camera::View;
-use crate::coverage::Coverage;
+use crate::drawing::Row;
 use crate::num::Radiance;
-use crate::observer::Observer;
-use crate::tracer::{Scratch, trace};
+use crate::observer::{Both, Observer};
+use crate::raster::Raster;
+use crate::renderer::display::fill_line;
 use crate::{Color, Output, Pixel, PreparedScene};
-use key::Keyed;
+use key::Key;
 use pattern::{GRID, MAX_SIDE};
 
 /// Draws a scene with smooth edges, line by line.
@@ -53,7 +53,7 @@ use pattern::{GRID, MAX_SIDE};
 /// ```
 #[derive(Debug)]
 pub struct Antialiased<'s, 'm, O: Observer = ()> {
-    scene: &'s PreparedScene<'s>,
+    raster: Raster<'s>,
     view: View,
     /// The same with [`GRID`] pixels for each of the picture, in both directions.
     fine: View,
@@ -62,10 +62,9 @@ pub struct Antialiased<'s, 'm, O: Observer = ()> {
     lines: [&'m mut [Sample]; 2],
     /// The line that was finished last; the one below it is traced.
     finished: Option<u32>,
-    scratch: Scratch,
-    coverage: Coverage,
     output: Output,
-    observer: Keyed<O>,
+    key: Key,
+    observer: O,
 }
 
 impl<'s, 'm> Antialiased<'s, 'm> {
@@ -106,22 +105,21 @@ impl<'s, 'm, O: Observer> Antialiased<'s, 'm, O> {
         let (even, rest) = memory.split_at_mut_checked(width as usize).ok_or(needed)?;
         let odd = rest.get_mut(..width as usize).ok_or(needed)?;
         Ok(Self {
-            scene,
+            raster: Raster::new(scene),
             view: View::new(&scene.settings.camera, width, height),
             fine: View::new(&scene.settings.camera, GRID * width, GRID * height),
             samples,
             lines: [even, odd],
             finished: None,
-            scratch: Scratch::default(),
-            coverage: Coverage::default(),
             output: Output::default(),
-            observer: Keyed::new(observer),
+            key: Key::default(),
+            observer,
         })
     }
 
     /// What the observer has seen so far.
     pub fn observer(&self) -> &O {
-        &self.observer.inner
+        &self.observer
     }
 
     /// How the picture is shown on the display.
@@ -144,17 +142,15 @@ impl<'s, 'm, O: Observer> Antialiased<'s, 'm, O> {
     /// Lines may be asked for in any order and again and are always the same. From top to bottom
     /// each is traced once; the last one again costs nothing, any other what three lines cost.
     pub fn line(&mut self, y: u32) -> impl Iterator<Item = Color<Radiance>> {
-        self.finish(y);
-        let line = &self.lines[y as usize % 2];
-        let count = if y < self.view.height { line.len() } else { 0 };
-        line.iter().take(count).map(Sample::color)
+        self.pixels(y).map(|(_, color)| color)
     }
 
     /// Traces line `y` into a slice, as [`Renderer::render_line`](crate::Renderer::render_line)
     /// does.
     pub fn render_line<P: Pixel>(&mut self, y: u32, line: &mut [P]) {
-        for (pixel, color) in line.iter_mut().zip(self.shown(y)) {
-            *pixel = color;
+        let output = self.output;
+        for (pixel, (x, color)) in line.iter_mut().zip(self.pixels(y)) {
+            *pixel = P::show(color, Point::new(x as i32, y as i32), output);
         }
     }
 
@@ -164,11 +160,11 @@ impl<'s, 'm, O: Observer> Antialiased<'s, 'm, O> {
     /// The display's own; the line can then be drawn again at no further cost.
     pub fn draw_line<D>(&mut self, y: u32, target: &mut D) -> Result<(), D::Error>
     where
-        D: DrawTarget,
-        D::Color: Pixel,
+        D: DrawTarget<Color: Pixel>,
     {
-        let row = Rectangle::new(Point::new(0, y as i32), Size::new(self.size().width, 1));
-        target.fill_contiguous(&row, self.shown(y))
+        let row = Row::line(y, self.view.columns());
+        let output = self.output;
+        fill_line(&row, self.pixels(y), output, target)
     }
 
     /// Draws the whole picture, top to bottom.
@@ -177,21 +173,17 @@ impl<'s, 'm, O: Observer> Antialiased<'s, 'm, O> {
     /// The display's own, at once.
     pub fn draw<D>(&mut self, target: &mut D) -> Result<(), D::Error>
     where
-        D: DrawTarget,
-        D::Color: Pixel,
+        D: DrawTarget<Color: Pixel>,
     {
         (0..self.size().height).try_for_each(|y| self.draw_line(y, target))
     }
 
-    /// Line `y` as a display shows it, from left to right.
-    fn shown<P: Pixel>(&mut self, y: u32) -> impl Iterator<Item = P> {
-        let output = self.output;
-        let mut at = Point::new(0, y as i32);
-        self.line(y).map(move |color| {
-            let pixel = P::show(color, at, output);
-            at.x += 1;
-            pixel
-        })
+    /// The pixels of line `y`, with their columns.
+    fn pixels(&mut self, y: u32) -> impl Iterator<Item = (u32, Color<Radiance>)> {
+        self.finish(y);
+        let line = &self.lines[y as usize % 2];
+        let count = if y < self.view.height { line.len() } else { 0 };
+        (0..).zip(line.iter().take(count).map(Sample::color))
     }
 
     /// Brings line `y` to what is shown.
@@ -219,13 +211,14 @@ impl<'s, 'm, O: Observer> Antialiased<'s, 'm, O> {
 
     /// Traces line `y` through the centers of its pixels, and compares neighbors.
     fn trace_line(&mut self, y: u32) {
-        self.coverage.look(self.scene, &self.view, y);
         let line = &mut *self.lines[y as usize % 2];
-        for ((x, ray), sample) in (0..).zip(self.view.line(y)).zip(&mut *line) {
-            let candidates = self.coverage.at(x);
-            let (scratch, observer) = (&mut self.scratch, &mut self.observer);
-            let color = trace(self.scene, &ray, candidates, scratch, observer);
-            *sample = Sample::new(color, self.observer.key);
+        let mut both = Both(&mut self.key, &mut self.observer);
+        let columns = self.view.columns();
+        let mut pixels = self.raster.pixels(&self.view, y, columns, &mut both);
+        for sample in &mut *line {
+            if let Some((_, color)) = pixels.next() {
+                *sample = Sample::new(color, pixels.observer.0.key);
+            }
         }
         let mut pixels = line.iter_mut();
         let Some(mut left) = pixels.next() else {
@@ -262,22 +255,17 @@ impl<'s, 'm, O: Observer> Antialiased<'s, 'm, O> {
                 continue;
             }
             let row = GRID * y + row;
-            self.coverage.look(self.scene, &self.fine, row);
-            let mut rays = self.fine.line(row);
-            let mut passed = 0;
+            let all = self.fine.columns();
+            // The key is not needed, but a second copy of the tracer even less.
+            let mut both = Both(&mut self.key, &mut self.observer);
+            let mut pixels = self.raster.pixels(&self.fine, row, all, &mut both);
             let edges = (0..).zip(&mut *line).filter(|(_, it)| it.is_edge());
             for (x, sample) in edges {
                 for column in *columns {
-                    let at = GRID * x + column;
-                    rays.skip_to(at - passed);
-                    passed = at + 1;
-                    let Some(ray) = rays.next() else {
-                        continue;
-                    };
-                    let candidates = self.coverage.at(at);
-                    let (scratch, observer) = (&mut self.scratch, &mut self.observer);
-                    let color = trace(self.scene, &ray, candidates, scratch, observer);
-                    sample.add(color, share);
+                    pixels.pass_to(GRID * x + column);
+                    if let Some((_, color)) = pixels.next() {
+                        sample.add(color, share);
+                    }
                 }
             }
         }

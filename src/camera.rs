@@ -60,6 +60,15 @@ impl View {
         }
     }
 
+    /// All columns.
+    pub(crate) fn columns(&self) -> Columns {
+        Columns {
+            from: 0,
+            to: self.width,
+            spacing: 0,
+        }
+    }
+
     /// The rays of line `y`, from left to right.
     pub(crate) fn line(&self, y: u32) -> Line {
         let down = 2 * i64::from(y.min(MAX_SIDE)) + 1 - i64::from(self.height);
@@ -183,7 +192,7 @@ pub(crate) struct Line {
 
 impl Line {
     /// Passes over the first `count` rays.
-    pub(crate) fn skip_to(&mut self, count: u32) {
+    pub(crate) fn pass(&mut self, count: u32) {
         let steps = i64::from(count.min(self.remaining));
         self.direction = self
             .direction
@@ -195,7 +204,7 @@ impl Line {
     pub(crate) fn through(mut self, columns: Columns) -> Self {
         let Columns { from, to, spacing } = columns;
         let to = to.min(self.remaining);
-        self.skip_to(from);
+        self.pass(from);
         let round_up = (1 << spacing) - 1;
         Self {
             step: self.step.map(|s| s << spacing),

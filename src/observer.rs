@@ -113,47 +113,61 @@ pub(crate) fn share(color: Color<Factor>) -> Color<Real> {
 
 impl Observer for () {}
 
-/// Counts all rays, and tells another observer of everything.
-pub(crate) struct Counting<'o, O> {
-    pub(crate) observer: &'o mut O,
-    pub(crate) rays: u32,
-}
+/// Tells two observers of everything.
+pub(crate) struct Both<'o, A, B>(pub(crate) &'o mut A, pub(crate) &'o mut B);
 
-impl<O: Observer> Observer for Counting<'_, O> {
+impl<A: Observer, B: Observer> Observer for Both<'_, A, B> {
     #[inline(always)]
     fn ray(&mut self, kind: RayKind) {
-        self.rays = self.rays.wrapping_add(1);
-        self.observer.ray(kind);
+        self.0.ray(kind);
+        self.1.ray(kind);
     }
 
     #[inline(always)]
     fn test(&mut self, shape: ShapeKind, met: bool) {
-        self.observer.test(shape, met);
+        self.0.test(shape, met);
+        self.1.test(shape, met);
     }
 
     #[inline(always)]
     fn bounds(&mut self, count: u32) {
-        self.observer.bounds(count);
+        self.0.bounds(count);
+        self.1.bounds(count);
     }
 
     #[inline(always)]
     fn sphere(&mut self) {
-        self.observer.sphere();
+        self.0.sphere();
+        self.1.sphere();
     }
 
     #[inline(always)]
     fn highlight(&mut self) {
-        self.observer.highlight();
+        self.0.highlight();
+        self.1.highlight();
     }
 
     #[inline(always)]
     fn shadow(&mut self, light: u16, left: Option<Color<Real>>) {
-        self.observer.shadow(light, left);
+        self.0.shadow(light, left);
+        self.1.shadow(light, left);
     }
 
     #[inline(always)]
     fn node(&mut self, node: &Node) {
-        self.observer.node(node);
+        self.0.node(node);
+        self.1.node(node);
+    }
+}
+
+/// How many rays there were, of any kind.
+#[derive(Default)]
+pub(crate) struct Rays(pub(crate) u32);
+
+impl Observer for Rays {
+    #[inline(always)]
+    fn ray(&mut self, _: RayKind) {
+        self.0 = self.0.wrapping_add(1);
     }
 }
 

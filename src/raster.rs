@@ -7,54 +7,37 @@ use crate::observer::Observer;
 use crate::tracer::{Scratch, trace};
 use crate::{Color, PreparedScene};
 
-/// A scene before a raster of pixels, and what tracing them takes.
+/// A scene, and what tracing the pixels of views of it takes.
 #[derive(Clone, Debug)]
 pub(crate) struct Raster<'s> {
     scene: &'s PreparedScene<'s>,
-    view: View,
     scratch: Scratch,
     coverage: Coverage,
 }
 
 impl<'s> Raster<'s> {
-    pub(crate) fn new(scene: &'s PreparedScene<'s>, width: u32, height: u32) -> Self {
+    pub(crate) fn new(scene: &'s PreparedScene<'s>) -> Self {
         Self {
             scene,
-            view: View::new(&scene.settings.camera, width, height),
             scratch: Scratch::default(),
             coverage: Coverage::default(),
         }
     }
 
-    pub(crate) fn width(&self) -> u32 {
-        self.view.width
-    }
-
-    pub(crate) fn height(&self) -> u32 {
-        self.view.height
-    }
-
-    pub(crate) fn columns(&self) -> Columns {
-        Columns {
-            from: 0,
-            to: self.view.width,
-            spacing: 0,
-        }
-    }
-
-    /// The pixels of some columns of line `y`, with their columns. A line outside
-    /// of the raster is empty.
+    /// The pixels of some columns of a view's line `y`, with their columns. A
+    /// line outside of the view is empty.
     pub(crate) fn pixels<'r, O>(
         &'r mut self,
+        view: &View,
         y: u32,
         columns: Columns,
         observer: &'r mut O,
     ) -> Pixels<'r, O> {
-        self.coverage.look(self.scene, &self.view, y);
+        self.coverage.look(self.scene, view, y);
         Pixels {
-            rays: self.view.line(y).through(columns),
+            rays: view.line(y).through(columns),
             x: columns.from,
-            stride: 1 << columns.spacing,
+            spacing: columns.spacing,
             scene: self.scene,
             coverage: &mut self.coverage,
             scratch: &mut self.scratch,
@@ -62,15 +45,16 @@ impl<'s> Raster<'s> {
         }
     }
 
-    /// A single pixel; black outside of the raster.
+    /// A single pixel of a view; black outside of it.
     pub(crate) fn pixel(
         &mut self,
+        view: &View,
         x: u32,
         y: u32,
         observer: &mut impl Observer,
     ) -> Color<Radiance> {
-        let mut rays = self.view.line(y);
-        rays.skip_to(x);
+        let mut rays = view.line(y);
+        rays.pass(x);
         rays.next().map_or(Color::<Radiance>::BLACK, |ray| {
             trace(self.scene, &ray, None, &mut self.scratch, observer)
         })
@@ -81,11 +65,20 @@ impl<'s> Raster<'s> {
 pub(crate) struct Pixels<'r, O> {
     rays: Line,
     x: u32,
-    stride: u32,
+    spacing: u8,
     scene: &'r PreparedScene<'r>,
     coverage: &'r mut Coverage,
     scratch: &'r mut Scratch,
     pub(crate) observer: &'r mut O,
+}
+
+impl<O> Pixels<'_, O> {
+    /// Passes over the pixels before column `x`.
+    pub(crate) fn pass_to(&mut self, x: u32) {
+        let count = x.saturating_sub(self.x) >> self.spacing;
+        self.rays.pass(count);
+        self.x += count << self.spacing;
+    }
 }
 
 impl<O: Observer> Iterator for Pixels<'_, O> {
@@ -95,7 +88,7 @@ impl<O: Observer> Iterator for Pixels<'_, O> {
     fn next(&mut self) -> Option<Self::Item> {
         let ray = self.rays.next()?;
         let x = self.x;
-        self.x += self.stride;
+        self.x += 1 << self.spacing;
         let candidates = self.coverage.at(x);
         let color = trace(self.scene, &ray, candidates, self.scratch, self.observer);
         Some((x, color))

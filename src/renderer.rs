@@ -1,12 +1,13 @@
 //! Scanlines of a scene, and what is drawn of them on a display.
 
-mod display;
+pub(crate) mod display;
 
 use embedded_graphics_core::geometry::{Point, Size};
 
+use crate::camera::View;
 use crate::num::Radiance;
 use crate::observer::Observer;
-use crate::raster::Raster;
+use crate::raster::{Pixels, Raster};
 use crate::{Color, Output, Pixel, PreparedScene};
 
 /// Draws a scene line by line, each pixel once, without a framebuffer; or step by
@@ -32,6 +33,7 @@ use crate::{Color, Output, Pixel, PreparedScene};
 /// ```
 #[derive(Clone, Debug)]
 pub struct Renderer<'s, O: Observer = ()> {
+    view: View,
     raster: Raster<'s>,
     output: Output,
     observer: O,
@@ -48,7 +50,8 @@ impl<'s, O: Observer> Renderer<'s, O> {
     /// A renderer that tells an observer of every ray.
     pub fn with_observer(scene: &'s PreparedScene<'s>, size: Size, observer: O) -> Self {
         Self {
-            raster: Raster::new(scene, size.width, size.height),
+            view: View::new(&scene.settings.camera, size.width, size.height),
+            raster: Raster::new(scene),
             output: Output::default(),
             observer,
         }
@@ -71,32 +74,35 @@ impl<'s, O: Observer> Renderer<'s, O> {
 
     /// The size of the picture.
     pub fn size(&self) -> Size {
-        Size::new(self.raster.width(), self.raster.height())
+        Size::new(self.view.width, self.view.height)
     }
 
     /// The linear colors of line `y`, traced one by one as they are asked
     /// for. A line outside of the picture is empty.
     pub fn line(&mut self, y: u32) -> impl Iterator<Item = Color<Radiance>> {
-        let columns = self.raster.columns();
-        let pixels = self.raster.pixels(y, columns, &mut self.observer);
-        pixels.map(|(_, color)| color)
+        self.pixels(y).map(|(_, color)| color)
     }
 
     /// The linear color of a single pixel, the same as in its line; black
     /// outside of the picture.
     pub fn pixel(&mut self, x: u32, y: u32) -> Color<Radiance> {
-        self.raster.pixel(x, y, &mut self.observer)
+        self.raster.pixel(&self.view, x, y, &mut self.observer)
     }
 
     /// Traces line `y` into a slice, for example to send it by DMA while the
     /// next is traced. What is longer than the line is left as it is.
     pub fn render_line<P: Pixel>(&mut self, y: u32, line: &mut [P]) {
         let output = self.output;
-        let columns = self.raster.columns();
-        let pixels = self.raster.pixels(y, columns, &mut self.observer);
-        for (pixel, (x, color)) in line.iter_mut().zip(pixels) {
+        for (pixel, (x, color)) in line.iter_mut().zip(self.pixels(y)) {
             *pixel = P::show(color, Point::new(x as i32, y as i32), output);
         }
+    }
+
+    /// The pixels of line `y`, with their columns.
+    fn pixels(&mut self, y: u32) -> Pixels<'_, O> {
+        let columns = self.view.columns();
+        self.raster
+            .pixels(&self.view, y, columns, &mut self.observer)
     }
 }
 

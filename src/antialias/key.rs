@@ -1,30 +1,17 @@
-use crate::observer::{Node, Observer, RayKind, ShapeKind};
+use crate::observer::{Node, Observer, RayKind};
 use crate::{Color, Real};
 
-/// Makes a key of what each eye ray meets: the object, its material, and which
-/// lights reach it. Tells another observer of all that it is told.
+/// A key of what the last eye ray met: the object, its material, and which lights
+/// reach it.
 ///
-/// What is mirrored or seen through a surface has no part in the key, since its
+/// What is mirrored or seen through a surface has no part in it, since its
 /// edges are often faint and always many; color tells those that matter.
-#[derive(Clone, Debug)]
-pub(super) struct Keyed<O> {
-    pub(super) inner: O,
-    /// Of the last eye ray.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Key {
     pub(super) key: u32,
     /// The lights that do or do not reach where it ends.
     lights: u32,
     is_eye_ray: bool,
-}
-
-impl<O> Keyed<O> {
-    pub(super) fn new(inner: O) -> Self {
-        Self {
-            inner,
-            key: 0,
-            lights: 0,
-            is_eye_ray: false,
-        }
-    }
 }
 
 /// All of a light.
@@ -36,33 +23,12 @@ fn mixed(hash: u32, number: u32) -> u32 {
     (hash ^ number).wrapping_mul(0x9e37_79b1).rotate_left(15)
 }
 
-impl<O: Observer> Observer for Keyed<O> {
+impl Observer for Key {
     #[inline(always)]
     fn ray(&mut self, kind: RayKind) {
         if kind == RayKind::Eye {
             (self.lights, self.is_eye_ray) = (0, true);
         }
-        self.inner.ray(kind);
-    }
-
-    #[inline(always)]
-    fn test(&mut self, shape: ShapeKind, met: bool) {
-        self.inner.test(shape, met);
-    }
-
-    #[inline(always)]
-    fn bounds(&mut self, count: u32) {
-        self.inner.bounds(count);
-    }
-
-    #[inline(always)]
-    fn sphere(&mut self) {
-        self.inner.sphere();
-    }
-
-    #[inline(always)]
-    fn highlight(&mut self) {
-        self.inner.highlight();
     }
 
     #[inline]
@@ -75,7 +41,6 @@ impl<O: Observer> Observer for Keyed<O> {
             let numbers = [1 + u32::from(light), left.r, left.g, left.b];
             self.lights = numbers.into_iter().fold(self.lights, mixed);
         }
-        self.inner.shadow(light, left);
     }
 
     #[inline]
@@ -85,6 +50,5 @@ impl<O: Observer> Observer for Keyed<O> {
             self.key = numbers.into_iter().fold(self.lights, mixed);
             self.is_eye_ray = false;
         }
-        self.inner.node(node);
     }
 }

@@ -8,7 +8,7 @@ use embedded_graphics_core::primitives::{PointsIter, Rectangle};
 use super::Renderer;
 use crate::drawing::{Drawing, Row, Step};
 use crate::num::Radiance;
-use crate::observer::{Counting, Observer};
+use crate::observer::{Both, Observer, Rays};
 use crate::raster::Pixels;
 use crate::{Color, Output, Pixel};
 
@@ -19,8 +19,7 @@ impl<O: Observer> Renderer<'_, O> {
     /// The display's own, at once.
     pub fn draw<D>(&mut self, target: &mut D) -> Result<(), D::Error>
     where
-        D: DrawTarget,
-        D::Color: Pixel,
+        D: DrawTarget<Color: Pixel>,
     {
         let mut drawing = Drawing::scanlines(Rectangle::new(Point::zero(), self.size()));
         self.step(&mut drawing, Step::Pass, target)
@@ -32,13 +31,11 @@ impl<O: Observer> Renderer<'_, O> {
     /// The display's own.
     pub fn draw_line<D>(&mut self, y: u32, target: &mut D) -> Result<(), D::Error>
     where
-        D: DrawTarget,
-        D::Color: Pixel,
+        D: DrawTarget<Color: Pixel>,
     {
-        let row = Row::line(y, self.raster.columns());
+        let row = Row::line(y, self.view.columns());
         let output = self.output;
-        let pixels = self.raster.pixels(y, row.columns, &mut self.observer);
-        fill_line(&row, pixels, output, target)
+        fill_line(&row, self.pixels(y), output, target)
     }
 
     /// Draws on, as far as told; does nothing if the drawing is complete.
@@ -64,8 +61,7 @@ impl<O: Observer> Renderer<'_, O> {
         target: &mut D,
     ) -> Result<(), D::Error>
     where
-        D: DrawTarget,
-        D::Color: Pixel,
+        D: DrawTarget<Color: Pixel>,
     {
         match step {
             Step::Line => self.step_line(drawing, target),
@@ -76,15 +72,15 @@ impl<O: Observer> Renderer<'_, O> {
 
     fn step_line<D>(&mut self, drawing: &mut Drawing, target: &mut D) -> Result<(), D::Error>
     where
-        D: DrawTarget,
-        D::Color: Pixel,
+        D: DrawTarget<Color: Pixel>,
     {
         let size = self.size();
         let Some(row) = drawing.row(size) else {
             return Ok(());
         };
         let output = self.output;
-        let pixels = self.raster.pixels(row.y, row.columns, &mut self.observer);
+        let (raster, observer) = (&mut self.raster, &mut self.observer);
+        let pixels = raster.pixels(&self.view, row.y, row.columns, observer);
         if row.block > 1 {
             return fill_blocks(drawing, size, &row, pixels, output, target);
         }
@@ -98,8 +94,7 @@ impl<O: Observer> Renderer<'_, O> {
 
     fn step_pass<D>(&mut self, drawing: &mut Drawing, target: &mut D) -> Result<(), D::Error>
     where
-        D: DrawTarget,
-        D::Color: Pixel,
+        D: DrawTarget<Color: Pixel>,
     {
         let pass = drawing.block();
         while drawing.block() == pass && !drawing.is_complete() {
@@ -115,20 +110,18 @@ impl<O: Observer> Renderer<'_, O> {
         target: &mut D,
     ) -> Result<(), D::Error>
     where
-        D: DrawTarget,
-        D::Color: Pixel,
+        D: DrawTarget<Color: Pixel>,
     {
         let size = self.size();
         let output = self.output;
-        let mut counting = Counting {
-            observer: &mut self.observer,
-            rays: 0,
-        };
-        while counting.rays < budget
+        let mut rays = Rays::default();
+        while rays.0 < budget
             && let Some(row) = drawing.row(size)
         {
+            let (raster, observer) = (&mut self.raster, &mut self.observer);
+            let mut both = Both(&mut rays, observer);
             let mut within = Within {
-                pixels: self.raster.pixels(row.y, row.columns, &mut counting),
+                pixels: raster.pixels(&self.view, row.y, row.columns, &mut both),
                 budget,
                 given: 0,
                 is_spent: false,
@@ -161,8 +154,7 @@ fn fill_blocks<D>(
     target: &mut D,
 ) -> Result<(), D::Error>
 where
-    D: DrawTarget,
-    D::Color: Pixel,
+    D: DrawTarget<Color: Pixel>,
 {
     for (x, color) in pixels {
         let block = row.block_at(x);
@@ -176,15 +168,14 @@ where
 }
 
 /// Fills a line, or the rest of one.
-fn fill_line<D>(
+pub(crate) fn fill_line<D>(
     row: &Row,
     pixels: impl Iterator<Item = (u32, Color<Radiance>)>,
     output: Output,
     target: &mut D,
 ) -> Result<(), D::Error>
 where
-    D: DrawTarget,
-    D::Color: Pixel,
+    D: DrawTarget<Color: Pixel>,
 {
     let colors = pixels.map(|(x, color)| Pixel::show(color, row.point(x), output));
     target.fill_contiguous(&row.area(), colors)
@@ -198,8 +189,7 @@ fn draw_dots<D>(
     target: &mut D,
 ) -> Result<(), D::Error>
 where
-    D: DrawTarget,
-    D::Color: Pixel,
+    D: DrawTarget<Color: Pixel>,
 {
     let dots = pixels.map(|(x, color)| (row.point(x), color));
     target.draw_iter(dots.map(|(at, color)| Dot(at, Pixel::show(color, at, output))))
@@ -207,7 +197,7 @@ where
 
 /// Pixels, until a budget of rays is spent.
 struct Within<'r, 'o, O> {
-    pixels: Pixels<'r, Counting<'o, O>>,
+    pixels: Pixels<'r, Both<'o, Rays, O>>,
     budget: u32,
     /// How many pixels there were.
     given: u32,
@@ -220,7 +210,7 @@ impl<O: Observer> Iterator for Within<'_, '_, O> {
 
     #[inline(always)]
     fn next(&mut self) -> Option<Self::Item> {
-        self.is_spent = self.pixels.observer.rays >= self.budget;
+        self.is_spent = self.pixels.observer.0.0 >= self.budget;
         if self.is_spent {
             return None;
         }
