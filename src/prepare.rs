@@ -118,7 +118,8 @@ fn texture(texture: &scene::Texture, frame: &Frame, item: Item) -> Result<Textur
 
 /// The fraction of `dividend / divisor`, above 0, as `U0F32`, rounded down.
 fn fraction(dividend: i64, divisor: i64) -> u32 {
-    let mut remainder = dividend.rem_euclid(divisor);
+    // A size is never 0, which the compiler cannot know.
+    let mut remainder = dividend.checked_rem_euclid(divisor).unwrap_or(0);
     let mut quotient = 0;
     for _ in 0..32 {
         remainder *= 2;
