@@ -35,13 +35,19 @@ struct Span {
 }
 
 impl Coverage {
-    /// Finds the objects of line `y`.
+    /// Finds the objects of line `y`: the finite ones first, as all other rays look at
+    /// them, so that of two surfaces in one place the same is seen.
     pub(crate) fn look(&mut self, scene: &PreparedScene<'_>, view: &View, y: u32) {
         self.spans.clear();
         self.change = 0;
         let row = view.row(y);
         let whole = [0, row.width];
         let mut fits = true;
+        for (bound, around) in scene.sights.eye.iter().zip(scene.finite) {
+            if let Some(columns) = columns(bound, &row) {
+                fits &= self.add(around.object, columns);
+            }
+        }
         for &object in scene.endless {
             let shape = scene.objects.get(usize::from(object)).map(|it| &it.shape);
             if let Some(Shape::Plane(plane)) = shape
@@ -50,11 +56,6 @@ impl Coverage {
                 continue;
             }
             fits &= self.add(object, whole);
-        }
-        for (bound, around) in scene.sights.eye.iter().zip(scene.finite) {
-            if let Some(columns) = columns(bound, &row) {
-                fits &= self.add(around.object, columns);
-            }
         }
         self.is_complete = fits;
     }
