@@ -44,6 +44,7 @@ mod color;
 mod compiled;
 mod coverage;
 mod error;
+mod exact;
 mod intersect;
 mod num;
 mod observer;
