@@ -7,6 +7,7 @@ pub mod firmware;
 pub mod model;
 pub mod povray;
 pub mod profile;
+pub mod prove;
 pub mod qemu;
 pub mod report;
 pub mod size;
@@ -15,6 +16,7 @@ pub mod tidy;
 
 mod command;
 mod qmp;
+mod steps;
 mod symbols;
 mod tools;
 

@@ -6,13 +6,15 @@ use std::process::ExitCode;
 use anyhow::{Result, bail};
 use lexopt::prelude::*;
 use xtask::qemu::{Arithmetic, Core, Machine};
-use xtask::{bench, firmware, model, povray, profile, qemu, size, test, tidy};
+use xtask::{bench, firmware, model, povray, profile, prove, qemu, size, test, tidy};
 
 const HELP: &str = "\
 cargo xtask TASK
 
   test [STEP...]        All checks and tests, or the steps whose names contain one
                         of these words. Installs the tools that are missing.
+  prove [PROMISE...]    What firmware relies on, proven as far as can be; or the promises
+                        whose names contain one of these words. Writes docs/trust.md.
   qemu [SCENE] [--shot FILE.png] [--window]
                         Draws a scene on the OLED of the LM3S6965 board, in QEMU;
                         takes a screenshot, or shows the display in a window.
@@ -54,6 +56,7 @@ fn task() -> Result<()> {
     let options = Options::parse(&mut arguments)?;
     match task.as_str() {
         "test" => test::run(&options.values),
+        "prove" => prove::run(&options.values),
         "qemu" => on_the_oled(&options),
         "headless" => headless(&options),
         "bench" => bench(&options),

@@ -1,16 +1,14 @@
 //! All checks and tests, in the order in which a person would want to know.
 
-use std::time::{Duration, Instant};
-
-use anyhow::{Result, bail};
+use anyhow::Result;
 
 use crate::command::{self, cargo};
-use crate::firmware::{FLOAT, HEADLESS, LM3S6965EVB, PRODUCTS, V6M};
+use crate::firmware::{FLOAT, HEADLESS, LM3S6965EVB, PRODUCTS, V6M, V7M, nopanic};
+use crate::prove::panics;
+use crate::steps::{self, Step};
 use crate::{bench, tidy, tools};
 
-type Step = (&'static str, fn() -> Result<()>);
-
-const STEPS: [Step; 9] = [
+const STEPS: [Step; 10] = [
     ("tools", tools::install),
     ("format", format),
     ("tidy", tidy::run),
@@ -18,48 +16,14 @@ const STEPS: [Step; 9] = [
     ("clippy-thumb", clippy_thumb),
     ("docs", docs),
     ("test-host", test_host),
+    ("nopanic", panics::link_all),
     ("test-qemu", test_qemu),
     ("budget", bench::check),
 ];
 
-/// Runs the steps whose names contain one of the words, or all. A step that
-/// fails does not keep the ones after it from running.
+/// Runs the steps whose names contain one of the words, or all.
 pub fn run(words: &[String]) -> Result<()> {
-    let chosen = |name: &str| words.is_empty() || words.iter().any(|word| name.contains(word));
-    let mut summary = Vec::new();
-    for (name, step) in STEPS {
-        if !chosen(name) {
-            summary.push((name, "not run", Duration::ZERO));
-            continue;
-        }
-        println!("==> {name}");
-        let start = Instant::now();
-        let outcome = match step() {
-            Ok(()) => "ok",
-            Err(error) => {
-                eprintln!("error: {error:#}");
-                "FAILED"
-            }
-        };
-        let time = start.elapsed();
-        println!("<== {name}: {outcome}, {:.1} s", time.as_secs_f32());
-        summary.push((name, outcome, time));
-        // Nothing works without the tools.
-        if name == "tools" && outcome != "ok" {
-            break;
-        }
-    }
-    println!("\nsummary");
-    for (name, outcome, time) in &summary {
-        println!("  {name:12} {outcome:8} {:6.1} s", time.as_secs_f32());
-    }
-    if summary.iter().any(|(_, outcome, _)| *outcome == "FAILED") {
-        bail!("not all steps passed");
-    }
-    if !summary.iter().any(|(_, outcome, _)| *outcome == "ok") {
-        bail!("no step has such a name");
-    }
-    Ok(())
+    steps::run(&STEPS, words)
 }
 
 fn format() -> Result<()> {
@@ -74,7 +38,7 @@ fn clippy_host() -> Result<()> {
 /// The library where there is no standard library and the fewest instructions,
 /// and the firmware.
 fn clippy_thumb() -> Result<()> {
-    let firmware = [LM3S6965EVB, PRODUCTS]
+    let firmware = [LM3S6965EVB, PRODUCTS, nopanic(V7M)]
         .into_iter()
         .chain(HEADLESS)
         .chain(FLOAT);

@@ -10,11 +10,7 @@ use crate::qemu::QEMU;
 
 /// Installs what is missing; fails with the command that would, where it cannot.
 pub(crate) fn install() -> Result<()> {
-    for target in TARGETS {
-        if !has_target(target) {
-            rustup(&["target", "add", target])?;
-        }
-    }
+    TARGETS.into_iter().try_for_each(add_target)?;
     for (subcommand, component) in [("clippy", "clippy"), ("fmt", "rustfmt")] {
         if !works(cargo().args([subcommand, "--version"])) {
             rustup(&["component", "add", component])?;
@@ -24,6 +20,14 @@ pub(crate) fn install() -> Result<()> {
         qemu()?;
     }
     Ok(())
+}
+
+/// Installs the standard library for the target, if it is missing.
+pub(crate) fn add_target(target: &str) -> Result<()> {
+    if has_target(target) {
+        return Ok(());
+    }
+    rustup(&["target", "add", target])
 }
 
 /// Whether the standard library for the target is there, whoever put it there.
