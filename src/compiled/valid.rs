@@ -1,5 +1,8 @@
 //! What tracing relies on: the range of every field.
 
+use core::ops::Neg;
+
+use fixed::traits::Fixed;
 use fixed::types::{I8F56, U0F32};
 
 use crate::num::{Factor, Length, Unit, wide};
@@ -8,14 +11,18 @@ use crate::shape::{Form, MAX_FLAKE_DEPTH, Parts, Quadric, Shape, Sphereflake};
 use crate::texture::Texture;
 use crate::{Color, Vec3};
 
+/// Whether it is within ±most. Not by `abs`, which the least number has none of.
+fn is_within<F: Fixed + Neg<Output = F>>(value: F, most: F) -> bool {
+    (-most..=most).contains(&value)
+}
+
 fn is_within_one(point: Vec3<Length>) -> bool {
-    point.all(|c| c.abs() <= Length::ONE)
+    point.all(|c| is_within(c, Length::ONE))
 }
 
 fn is_unit(v: Vec3<Unit>) -> bool {
-    // Within 2^-20 of 1.
-    let excess = v.dot(v).to_bits() - (1 << 60);
-    v.all(|c| c.abs() <= Unit::ONE) && excess.abs() < 1 << 40
+    // Within 2^-20 of 1; components beyond 1 would overflow.
+    v.all(|c| is_within(c, Unit::ONE)) && (v.dot(v).to_bits() - (1 << 60)).abs() < 1 << 40
 }
 
 /// A radius.
@@ -98,14 +105,15 @@ impl Quadric {
             }
             Form::Cylinder(form) => is_size(form.radius),
             Form::Cone(form) => {
-                squeeze.contains(&form.radial)
-                    && squeeze.contains(&form.axial.abs())
-                    && form.radial.max(form.axial.abs()) <= Unit::ONE / 2
-                    && form.radius.abs() <= Length::ONE
+                let half = Unit::ONE / 2;
+                (Unit::DELTA..=half).contains(&form.radial)
+                    && form.axial != 0
+                    && is_within(form.axial, half)
+                    && is_within(form.radius, Length::ONE)
             }
             Form::Paraboloid(form) => {
                 self.clamp.is_some()
-                    && form.radius_squared.abs() <= I8F56::ONE
+                    && is_within(form.radius_squared, I8F56::ONE)
                     && form.squeeze <= 2
                     && form.focus <= 31
             }
@@ -113,17 +121,13 @@ impl Quadric {
         form && is_within_one(self.center)
             && self
                 .clamp
-                .is_none_or(|ends| ends.into_iter().all(|y| y.abs() <= Length::ONE))
+                .is_none_or(|ends| ends.into_iter().all(|y| is_within(y, Length::ONE)))
     }
 }
 
 impl Parts {
-    fn is_valid(&self) -> bool {
+    pub(super) fn is_valid(&self) -> bool {
         let [u, v] = self.frame;
-        let reach = wide(
-            self.radius.to_bits(),
-            Sphereflake::bound(self.ratio, self.depth).to_bits() as u32,
-        );
         is_within_one(self.center)
             && is_unit(u)
             && is_unit(v)
@@ -131,6 +135,12 @@ impl Parts {
             && self.depth <= MAX_FLAKE_DEPTH
             && (const { U0F32::lit("0.099") }..=const { U0F32::lit("0.5") }).contains(&self.ratio)
             && self.radius > 0
-            && reach <= 1 << 61
+            && self.reach() <= 1 << 61
+    }
+
+    /// How far the flake reaches, Q61.
+    fn reach(&self) -> u64 {
+        let bound = Sphereflake::bound(self.ratio, self.depth);
+        wide(self.radius.to_bits(), bound.to_bits() as u32)
     }
 }

@@ -9,7 +9,7 @@ use crate::root;
 /// has started it included.
 const STACK: u64 = 6 * 1024;
 
-const SIZE: &str = "16x12";
+const SIZE: &str = "4x3";
 
 pub(super) fn prove() -> Result<String> {
     let scene = Arithmetic::Fixed.compile(&root().join("tests/worst/scene.toml"))?;
