@@ -25,6 +25,11 @@ fn is_unit(v: Vec3<Unit>) -> bool {
     v.all(|c| is_within(c, Unit::ONE)) && (v.dot(v).to_bits() - (1 << 60)).abs() < 1 << 40
 }
 
+/// Whether unit vectors are at right angles, to 2^-20.
+fn are_square(u: Vec3<Unit>, v: Vec3<Unit>) -> bool {
+    is_within(u.cosine(v), Unit::DELTA * (1 << 10))
+}
+
 /// A radius.
 fn is_size(length: Length) -> bool {
     (Length::DELTA..=Length::ONE).contains(&length)
@@ -47,6 +52,9 @@ impl Settings {
         } = self.camera;
         is_within_one(eye)
             && [forward, right, up].into_iter().all(is_unit)
+            && are_square(forward, right)
+            && are_square(right, up)
+            && are_square(up, forward)
             && (1..12 << 28).contains(&tangent)
             && are_factors([self.horizon, self.zenith])
             && self.exposure < 16
@@ -131,7 +139,7 @@ impl Parts {
         is_within_one(self.center)
             && is_unit(u)
             && is_unit(v)
-            && u.cosine(v).abs() <= Unit::DELTA * (1 << 10)
+            && are_square(u, v)
             && self.depth <= MAX_FLAKE_DEPTH
             && (const { U0F32::lit("0.099") }..=const { U0F32::lit("0.5") }).contains(&self.ratio)
             && self.radius > 0
