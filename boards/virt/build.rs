@@ -2,5 +2,6 @@
 
 fn main() {
     println!("cargo::rerun-if-changed=memory.x");
+    println!("cargo::rustc-link-arg-bins=-Tmemory.x");
     println!("cargo::rustc-link-arg-bins=-Tlink.x");
 }

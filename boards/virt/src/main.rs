@@ -15,25 +15,24 @@ use riscv_rt::entry;
 use whitted::{Color, Crc32, Renderer, SceneBuffer};
 
 /// What QEMU is told to write to: `xtask/src/prove/everywhere.rs` does so.
-const JOB: *const [u32; 3] = 0x8100_0000 as _;
-const SCENE: *const u8 = 0x8100_1000 as _;
+const JOB: *const [u32; 3] = 0x8100_0000_u32 as _;
+const SCENE: *const u8 = 0x8100_1000_u32 as _;
 
 /// The transmit register of the machine's UART.
-const UART: *mut u8 = 0x1000_0000 as _;
+const UART: *mut u8 = 0x1000_0000_u32 as _;
 /// Ends QEMU.
-const FINISHER: *mut u32 = 0x0010_0000 as _;
+const FINISHER: *mut u32 = 0x0010_0000_u32 as _;
 const SUCCESS: u32 = 0x5555;
 
 #[entry]
 fn main() -> ! {
-    static mut BUFFER: SceneBuffer<64, 8, 64> = SceneBuffer::new();
-
     // SAFETY: QEMU has written the job before it has started the core; it lies
     // beyond what memory.x names, and nobody writes to it.
     let [width, height, length] = unsafe { JOB.read_volatile() };
     // SAFETY: the same, of as many bytes as the job says.
     let scene = unsafe { core::slice::from_raw_parts(SCENE, length as usize) };
-    _ = match BUFFER.decode(scene) {
+    let mut buffer = SceneBuffer::<64, 8, 64>::new();
+    _ = match buffer.decode(scene) {
         Ok(scene) => {
             let mut renderer = Renderer::new(&scene, Size::new(width, height));
             writeln!(Uart, "checksum: {:08x}", checksum(&mut renderer))
