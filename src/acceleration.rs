@@ -1,30 +1,28 @@
 //! What is known of a scene's objects before any ray is traced.
 //!
-//! All eye rays start from one point, all shadow rays of a light from another,
-//! and most rays pass most objects by: what tells so is computed once.
+//! All shadow rays of a light start from one point, and most rays pass most
+//! objects by: what tells so is computed once. (What the eye sees is found line
+//! by line, so that the camera may move.)
 
 use heapless::VecView;
 
 use crate::Vec3;
 use crate::num::Length;
-use crate::prepared::{Camera, Light, Object};
+use crate::prepared::{Light, Object};
 use crate::ray::Point;
 use crate::shape::{Around, Bound, Shape, Sight};
-use crate::vector::round_length;
 
 /// The lists that tell where to look for objects, each as long as theirs.
 pub(crate) struct Index<'b> {
     pub(crate) finite: &'b mut VecView<Around>,
     pub(crate) endless: &'b mut VecView<u16>,
-    pub(crate) eye: &'b mut VecView<Bound>,
 }
 
 impl Index<'_> {
     /// Lists all objects.
-    pub(crate) fn fill(self, objects: &[Object], camera: &Camera) {
+    pub(crate) fn fill(self, objects: &[Object]) {
         self.finite.clear();
         self.endless.clear();
-        self.eye.clear();
         // There is room in each list.
         for (object, number) in objects.iter().zip(0..) {
             let Some(bound) = object.shape.bounding_sphere() else {
@@ -32,20 +30,7 @@ impl Index<'_> {
                 continue;
             };
             let _ = self.finite.push(bound.around(number));
-            let _ = self.eye.push(in_view(&bound, camera));
         }
-    }
-}
-
-/// A bound in the camera's frame, to the right, up and forward of the eye, and
-/// larger by more than what is rounded when its outline is computed.
-fn in_view(bound: &Bound, camera: &Camera) -> Bound {
-    const MARGIN: Length = Length::lit("0.00001");
-    let to_center = bound.center - camera.eye;
-    let along = |axis| round_length(to_center.along(axis).to_bits(), 30);
-    Bound {
-        center: Vec3::new(along(camera.right), along(camera.up), along(camera.forward)),
-        radius: bound.radius + (bound.radius >> 10) + MARGIN,
     }
 }
 

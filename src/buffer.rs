@@ -5,13 +5,13 @@ use heapless::Vec;
 use crate::acceleration::{Index, look};
 use crate::error::Full;
 use crate::prepared::{Light, Material, Object, Room, Settings, Sights};
-use crate::shape::{Around, Bound, Sight};
-use crate::{DecodeError, PreparedScene, Real, Scene, SceneError, compiled, prepare};
+use crate::shape::{Around, Sight};
+use crate::{Camera, DecodeError, PreparedScene, Real, Scene, SceneError, compiled, prepare};
 
 /// Room for a prepared scene, in a `static` or on the stack: so many objects,
 /// lights and materials.
 ///
-/// An object takes 112 bytes, 38 more for its bounds and 16 for each light; a
+/// An object takes 112 bytes, 26 more for its bounds and 16 for each light; a
 /// light takes 28, a material 56.
 ///
 /// ```
@@ -30,8 +30,7 @@ pub struct SceneBuffer<const OBJECTS: usize, const LIGHTS: usize, const MATERIAL
     materials: Vec<Material, MATERIALS>,
     finite: Vec<Around, OBJECTS>,
     endless: Vec<u16, OBJECTS>,
-    /// How the eye sees the finite objects, and each light.
-    eye: Vec<Bound, OBJECTS>,
+    /// How each light sees the finite objects.
     sights: [[Sight; OBJECTS]; LIGHTS],
 }
 
@@ -54,7 +53,6 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize>
             materials: Vec::new(),
             finite: Vec::new(),
             endless: Vec::new(),
-            eye: Vec::new(),
             sights: [[Sight::NONE; OBJECTS]; LIGHTS],
         }
     }
@@ -86,15 +84,13 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize>
         let index = Index {
             finite: self.finite.as_mut_view(),
             endless: self.endless.as_mut_view(),
-            eye: self.eye.as_mut_view(),
         };
-        index.fill(&self.objects, &settings.camera);
+        index.fill(&self.objects);
         for (light, sights) in self.lights.iter_mut().zip(&mut self.sights) {
             look(light, &self.objects, &self.endless, sights);
         }
         PreparedScene {
             sights: Sights {
-                eye: &self.eye,
                 lights: self.sights.as_flattened(),
                 stride: OBJECTS,
             },
@@ -137,6 +133,42 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize> Room
 }
 
 impl PreparedScene<'_> {
+    /// Moves the camera, all else left as it is: a fraction of the work of
+    /// preparing, also for a scene that was decoded.
+    ///
+    /// Preparing the scene with this camera draws the same picture, bit for bit,
+    /// as long as it finds the same scale; else positions are rounded
+    /// differently, by 2^-28 of the scene. The eye has room to orbit: it may go
+    /// 3.5 times as far from the middle of the scene, in each coordinate, as
+    /// anything finite, the first eye and the lights included, lies from it.
+    ///
+    /// ```
+    /// use whitted::{Camera, Material, MaterialId, Object, Real, Scene, SceneBuffer, Vec3};
+    ///
+    /// let camera = Camera::new(Vec3::lit("0", "2", "8"), Vec3::lit("0", "1", "0"), Real::lit("33"));
+    /// let mut buffer = SceneBuffer::<8, 2, 8>::new();
+    /// let mut scene = buffer.prepare(&Scene {
+    ///     materials: &[Material::BLACK],
+    ///     objects: &[Object::sphere(Vec3::lit("0", "1", "0"), Real::ONE, MaterialId(0))],
+    ///     ..Scene::new(camera)
+    /// })?;
+    /// for _ in 0..36 {
+    ///     scene.set_camera(&scene.camera().orbited(Real::lit("10"), Real::ZERO))?;
+    ///     // Renderer::new(&scene, display.size()).draw(&mut display)
+    /// }
+    /// # Ok::<(), whitted::SceneError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// What [`SceneBuffer::prepare`] says of a camera, and
+    /// [`Problem::OutOfReach`](crate::Problem::OutOfReach) where its eye is too
+    /// far away. The camera then stays where it was.
+    pub fn set_camera(&mut self, camera: &Camera) -> Result<(), SceneError> {
+        self.settings.camera = prepare::moved_camera(camera, &self.settings.frame)?;
+        self.settings.authored = *camera;
+        Ok(())
+    }
+
     /// Changes the number of secondary generations.
     ///
     /// # Errors

@@ -2,12 +2,12 @@
 
 use crate::Vec3;
 use crate::num::{
-    Length, Product, Scaled, Square, Unit, inverse_length, quotient, reciprocal, square_root, wide,
+    Length, Product, Scaled, Square, Unit, inverse_length, quotient, reciprocal, wide,
 };
 use crate::prepared::Camera;
 use crate::ray::{Point, Ray, Start};
 use crate::shape::Plane;
-use crate::vector::normalize;
+use crate::vector::{high, normalize};
 
 /// The widest and the highest raster.
 pub(crate) const MAX_SIDE: u32 = u16::MAX as u32;
@@ -76,11 +76,21 @@ impl View {
     }
 
     /// How the plane of the rays of line `y` lies; of the last, beyond it.
-    pub(crate) fn row(&self, y: u32) -> Row {
+    pub(crate) fn row(&self, camera: &Camera, y: u32) -> Row {
         let y = y.min(self.height.saturating_sub(1));
         let up = i64::from(self.height) - 2 * i64::from(y) - 1;
-        // Q58 -> Q26
+        // Y: Q58 -> Q26
         let height = ((up * self.half_pixel as i64) >> 32) as i32;
+        // 1 + Y² in Q48, its root from 1 to 12 in Q24, and the root's reciprocal in Q30.
+        let stretch = inverse_length((1 << 48) + (height.square() >> 4) as u64);
+        let cosine = (stretch.inverse >> 9_u32.saturating_sub(stretch.half_shift)) as i32;
+        // Q26 * Q30 -> Q30
+        let sine = (height.product(cosine) >> 26) as i32;
+        // Q60 -> Q28 -> Q30
+        let sum = |a: Unit, p: i32, b: Unit, q: i32| {
+            Unit::from_bits(high(a.to_bits().product(p) + b.to_bits().product(q)) << 2)
+        };
+        let (forward, up) = (camera.forward, camera.up);
         let Line {
             direction, step, ..
         } = self.line(y);
@@ -93,8 +103,10 @@ impl View {
         Row {
             eye: self.eye,
             ends: [end(0), end(last)],
-            height,
-            stretch: square_root((1 << 48) + (height.square() >> 4) as u64) as i32,
+            ahead: forward.zip(up, |f, u| sum(f, cosine, u, sine)),
+            aside: up.zip(forward, |u, f| sum(u, cosine, f, -sine)),
+            right: camera.right,
+            stretch: stretch.length(),
             half_pixel: self.half_pixel,
             width: self.width as u16,
         }
@@ -103,13 +115,16 @@ impl View {
 
 /// The plane of the eye rays of a line.
 pub(crate) struct Row {
-    eye: Vec3<Length>,
+    pub(crate) eye: Vec3<Length>,
+    /// `(f + Y u) / sqrt(1 + Y²)`: the middle of the line.
+    pub(crate) ahead: Vec3<Unit>,
+    /// `(u - Y f) / sqrt(1 + Y²)`: the plane's normal.
+    pub(crate) aside: Vec3<Unit>,
+    pub(crate) right: Vec3<Unit>,
     /// The directions of the first and the last ray, not of unit length.
     ends: [Vec3<Unit>; 2],
-    /// Y, Q26.
-    pub(crate) height: i32,
     /// `sqrt(1 + Y²)`, Q24.
-    pub(crate) stretch: i32,
+    stretch: u32,
     half_pixel: u64,
     pub(crate) width: u16,
 }
@@ -124,16 +139,14 @@ impl Row {
         side != 0 && self.ends.into_iter().any(approaches)
     }
 
-    /// The column of the ray through `X = (1 + Y²) n / d`, rounded down, 0 to
-    /// 65535.
+    /// The column of the ray that is `n / d` as far to the right as it is ahead,
+    /// rounded down, 0 to 65535.
     pub(crate) fn column(&self, n: i64, d: u64) -> u16 {
         if n == 0 {
             return self.width / 2;
         }
         let ratio = quotient(n.unsigned_abs(), d);
-        // Q48 -> Q24
-        let stretch = (self.stretch.square() >> 24) as u32;
-        let stretched = ratio.mantissa.product(stretch);
+        let stretched = ratio.mantissa.product(self.stretch);
         let pixels = quotient(stretched, self.half_pixel);
         // 2^30 n / d, then Q24 / Q58 and 2^30 once more: in half pixels.
         let pixels = Scaled {
@@ -148,6 +161,15 @@ impl Row {
         let column = (n.signum() * pixels + i64::from(self.width) - 1) >> 1;
         column.clamp(0, u16::MAX.into()) as u16
     }
+}
+
+/// Columns of a raster: `from`, and every one that is a multiple of
+/// `1 << spacing` further, below `to`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Columns {
+    pub(crate) from: u32,
+    pub(crate) to: u32,
+    pub(crate) spacing: u8,
 }
 
 /// Eye rays along a line.
@@ -168,12 +190,25 @@ impl Line {
             .zip(self.step, |d, s| d.wrapping_add(s.wrapping_mul(steps)));
         self.remaining = self.remaining.saturating_sub(count);
     }
+
+    /// Those of the rays of a whole line that go through some columns.
+    pub(crate) fn through(mut self, columns: Columns) -> Self {
+        let Columns { from, to, spacing } = columns;
+        let to = to.min(self.remaining);
+        self.skip_to(from);
+        let round_up = (1 << spacing) - 1;
+        Self {
+            step: self.step.map(|s| s << spacing),
+            remaining: (to.saturating_sub(from) + round_up) >> spacing,
+            ..self
+        }
+    }
 }
 
 impl Iterator for Line {
     type Item = Ray;
 
-    #[inline]
+    #[inline(always)]
     fn next(&mut self) -> Option<Ray> {
         self.remaining = self.remaining.checked_sub(1)?;
         // Q62 -> Q30, rounded

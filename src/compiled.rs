@@ -22,7 +22,7 @@ use crate::{Crc32, DecodeError, Item};
 use archive::{Archive, Counter, Fields, Reader, Writer};
 
 const MAGIC: [u8; 4] = *b"WHTD";
-const VERSION: u8 = 1;
+const VERSION: u8 = 2;
 const CHECKSUM: usize = size_of::<u32>();
 
 /// What is before the lists.
@@ -97,7 +97,7 @@ pub(crate) fn encode(scene: &PreparedScene<'_>, out: &mut [u8]) -> Option<usize>
 /// ```
 /// use whitted::{SceneBuffer, counts};
 ///
-/// static SCENE: &[u8] = b"WHTD\x01\x05\0\x01\0\x03\0"; // include_bytes!("scene.bin")
+/// static SCENE: &[u8] = b"WHTD\x02\x05\0\x01\0\x03\0"; // include_bytes!("scene.bin")
 /// const COUNTS: [usize; 3] = counts(SCENE);
 /// let buffer = SceneBuffer::<{ COUNTS[0] }, { COUNTS[1] }, { COUNTS[2] }>::new();
 /// # let _ = buffer;
@@ -120,6 +120,9 @@ fn checksum_of(bytes: &[u8]) -> u32 {
     crc.finish()
 }
 
+/// Not inlined, as whoever decodes then draws, and its variables would take stack
+/// all the while.
+#[inline(never)]
 pub(crate) fn decode(bytes: &[u8], room: &mut impl Room) -> Result<Settings, DecodeError> {
     room.clear();
     if !bytes.starts_with(&MAGIC) {
@@ -143,7 +146,7 @@ pub(crate) fn decode(bytes: &[u8], room: &mut impl Room) -> Result<Settings, Dec
     if checksum_of(body) != u32::from_le_bytes(*checksum) {
         return Err(DecodeError::Checksum);
     }
-    let mut settings = Settings::default();
+    let mut settings = Settings::blank();
     settings.visit(&mut reader);
     check(settings.is_valid(), Item::Scene)?;
     for index in 0..header.lights {

@@ -4,12 +4,14 @@
 //! sphere in a circle, and the tangents from the eye to that circle are the
 //! ends of the columns from which the sphere may be seen.
 
+use fixed::types::I8F56;
 use heapless::Vec;
 
 use crate::camera::{Row, View};
 use crate::num::{Length, Product, Square, square_root};
 use crate::prepared::PreparedScene;
 use crate::shape::{Bound, Shape};
+use crate::vector::high;
 
 /// More objects than these in one line are not told apart: all rays of the
 /// line are then traced against all objects.
@@ -40,11 +42,11 @@ impl Coverage {
     pub(crate) fn look(&mut self, scene: &PreparedScene<'_>, view: &View, y: u32) {
         self.spans.clear();
         self.change = 0;
-        let row = view.row(y);
+        let row = view.row(&scene.settings.camera, y);
         let whole = [0, row.width];
         let mut fits = true;
-        for (bound, around) in scene.sights.eye.iter().zip(scene.finite) {
-            if let Some(columns) = columns(bound, &row) {
+        for around in scene.finite {
+            if let Some(columns) = columns(&around.bound(), &row) {
                 fits &= self.add(around.object, columns);
             }
         }
@@ -91,44 +93,41 @@ impl Coverage {
     }
 }
 
-/// The columns of a line from which a sphere, in the camera's frame, may be
-/// seen; `None` if there are none.
+/// The columns of a line from which a bounding sphere may be seen; `None` if
+/// there are none.
 ///
-/// Let the line be Y up the picture, at the distance of 1, and the center
-/// (u, v, w). The line's plane passes the center by `a / s` with `a = v - Y w`
-/// and `s² = 1 + Y²`, and `e / s` with `e = w + Y v` is how far ahead it is in
-/// that plane. With `P² = (s r - a) (s r + a)` and `L² = u² + v² + w² - r²` the tangents
-/// are at `X = s² (u e ± P L) / (e² - P²)`: no difference but that of e and P
-/// can cancel.
+/// In the line's plane, let the center be u to the right of the eye and e
+/// ahead, and a aside of it. The plane cuts the sphere in a circle of radius
+/// `P = sqrt((r - a) (r + a))`; with `L² = u² + e² + a² - r²` its tangents are at
+/// `(u e ± P L) / (e² - P²)`: no difference but that of e and P can cancel.
 fn columns(bound: &Bound, row: &Row) -> Option<[u16; 2]> {
+    /// More than all roundings.
+    const MARGIN: Length = Length::lit("0.00001");
     let whole = Some([0, row.width]);
-    let Bound { center, radius } = *bound;
-    let radius_squared = radius.square();
-    // Q28 and Q26 * Q28 -> Q54, to Q24; below 128.
-    let across = |p: Length, q: Length| {
-        (i64::from(p.to_bits()) >> 4) + (row.height.product(q.to_bits()) >> 30)
-    };
-    let aside = across(center.y, -center.z);
-    let ahead = across(center.z, center.y);
-    // Q24 * Q28 -> Q24; the square Q48.
-    let radius = row.stretch.product(radius.to_bits()) >> 28;
-    let square = (radius - aside) * (radius + aside);
-    if square < 0 {
+    let radius: Length = bound.radius + (bound.radius >> 10) + MARGIN;
+    let center = bound.center - row.eye;
+    // Q58 -> Q26 -> Q28
+    let along = |axis| Length::from_bits(high(center.along(axis).to_bits()) << 2);
+    let aside = along(row.aside);
+    if aside.abs() > radius {
         return None;
     }
-    let reach = i64::from(square_root(square as u64)) + 1;
+    let ahead = along(row.ahead);
+    let square = (radius - aside).product(radius + aside);
+    let reach = Length::from_bits(square_root(square.to_bits() as u64) as i32);
     if ahead < -reach {
         return None;
     }
-    let tangent_squared = center.squared() - radius_squared;
+    let tangent_squared = center.squared() - radius.square();
     if ahead <= reach || tangent_squared <= 0 {
         return whole;
     }
-    let tangent = i64::from(square_root(tangent_squared.to_bits() as u64) >> 4);
-    let middle = (i64::from(center.x.to_bits()) >> 4) * ahead;
-    let divisor = (ahead - reach) * (ahead + reach);
-    let end = |numerator: i64| row.column(numerator, divisor as u64);
-    let from = end(middle - reach * tangent).saturating_sub(1);
-    let to = end(middle + reach * tangent).saturating_add(2);
+    let tangent = Length::from_bits(square_root(tangent_squared.to_bits() as u64) as i32);
+    let middle = along(row.right).product(ahead);
+    let aslant = reach.product(tangent);
+    let divisor = (ahead - reach).product(ahead.saturating_add(reach));
+    let end = |n: I8F56| row.column(n.to_bits(), divisor.to_bits() as u64);
+    let from = end(middle - aslant).saturating_sub(1);
+    let to = end(middle + aslant).saturating_add(2);
     Some([from.min(row.width), to.min(row.width)])
 }

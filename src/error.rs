@@ -82,6 +82,8 @@ pub enum Problem {
     NoView,
     /// `up` points along the view.
     AlongView,
+    /// Too far from a scene that is already prepared: it must be prepared anew.
+    OutOfReach,
     /// The low end of an interval is not below its high end.
     EmptyInterval,
     /// The two axes of a checkerboard are the same.
@@ -124,6 +126,9 @@ impl fmt::Display for Problem {
             Self::NoDirection => f.write_str("must not be zero"),
             Self::NoView => f.write_str("must be another point than the eye"),
             Self::AlongView => f.write_str("must not point along the view"),
+            Self::OutOfReach => f.write_str(
+                "is too far from the scene as it is prepared; prepare it anew with this camera",
+            ),
             Self::EmptyInterval => f.write_str("must run from a lower to a higher value"),
             Self::SameAxis => f.write_str("must name two different axes"),
             Self::NotOrthonormal => {

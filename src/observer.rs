@@ -98,6 +98,8 @@ pub struct Node {
     pub weight: Color<Real>,
     /// The number of the object; `None` for the background.
     pub object: Option<u16>,
+    /// The number of the material; `None` for the background.
+    pub material: Option<u16>,
     /// Whether the ray came from behind the surface.
     pub inside: bool,
     /// The color of the place itself, without what is reflected and transmitted.
@@ -110,6 +112,50 @@ pub(crate) fn share(color: Color<Factor>) -> Color<Real> {
 }
 
 impl Observer for () {}
+
+/// Counts all rays, and tells another observer of everything.
+pub(crate) struct Counting<'o, O> {
+    pub(crate) observer: &'o mut O,
+    pub(crate) rays: u32,
+}
+
+impl<O: Observer> Observer for Counting<'_, O> {
+    #[inline(always)]
+    fn ray(&mut self, kind: RayKind) {
+        self.rays = self.rays.wrapping_add(1);
+        self.observer.ray(kind);
+    }
+
+    #[inline(always)]
+    fn test(&mut self, shape: ShapeKind, met: bool) {
+        self.observer.test(shape, met);
+    }
+
+    #[inline(always)]
+    fn bounds(&mut self, count: u32) {
+        self.observer.bounds(count);
+    }
+
+    #[inline(always)]
+    fn sphere(&mut self) {
+        self.observer.sphere();
+    }
+
+    #[inline(always)]
+    fn highlight(&mut self) {
+        self.observer.highlight();
+    }
+
+    #[inline(always)]
+    fn shadow(&mut self, light: u16, left: Option<Color<Real>>) {
+        self.observer.shadow(light, left);
+    }
+
+    #[inline(always)]
+    fn node(&mut self, node: &Node) {
+        self.observer.node(node);
+    }
+}
 
 /// Counts rays by kind, and intersection tests.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

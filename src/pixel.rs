@@ -1,29 +1,21 @@
 //! From linear radiance to the colors of displays.
 
+use embedded_graphics_core::geometry::Point;
 use embedded_graphics_core::pixelcolor::{
-    Bgr565, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb565, Rgb666, Rgb888, RgbColor,
+    Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666,
+    Rgb888, RgbColor,
 };
 
-use crate::Color;
 use crate::num::Radiance;
+use crate::{Color, Output};
 
 /// A color that linear radiance can be shown in.
 ///
-/// Channels are clipped to 0..=1 and rounded to the nearest level; there is no
-/// gamma, so a display shows linear values as its own. Gray is the luminance
-/// of ITU-R BT.709, and a binary pixel is on from one half of it.
+/// Channels are clipped to 0..=1. Gray is the luminance of ITU-R BT.709, and a
+/// binary pixel is on for the level 1 of 0 and 1.
 pub trait Pixel: Copy {
-    /// The nearest color.
-    fn from_linear(color: Color<Radiance>) -> Self;
-}
-
-/// The nearest of the levels 0 to `max`, which is below 2^16.
-#[inline(always)]
-fn level(value: Radiance, max: u32) -> u32 {
-    // Q30 -> Q16: 1.0 * max fits 32 bits, and what is cut off is too small to
-    // be seen by 8 bits.
-    let clipped = value.to_bits().min(1 << 30);
-    (((clipped >> 14) * max) + (1 << 15)) >> 16
+    /// The color for the pixel `at` this place of the display.
+    fn show(color: Color<Radiance>, at: Point, output: Output) -> Self;
 }
 
 /// Luminance by ITU-R BT.709, not clipped: 0.2126 R + 0.7152 G + 0.0722 B.
@@ -35,10 +27,11 @@ fn luminance(color: Color<Radiance>) -> Radiance {
     Radiance::from_bits((sum >> 16) as u32)
 }
 
-/// Linear, 16 bits a channel, rounded: what checksums and 16-bit images are made of.
+/// Linear, 16 bits a channel, rounded, whatever the output: what checksums and
+/// 16-bit images are made of.
 impl Pixel for Color<u16> {
     #[inline]
-    fn from_linear(color: Color<Radiance>) -> Self {
+    fn show(color: Color<Radiance>, _: Point, _: Output) -> Self {
         color.map(|value| {
             let clipped = u64::from(value.to_bits().min(1 << 30));
             ((clipped * 0xffff + (1 << 29)) >> 30) as u16
@@ -46,29 +39,42 @@ impl Pixel for Color<u16> {
     }
 }
 
+/// From light to one of the levels 0 to `MAX`, for one pixel.
+#[inline(always)]
+fn levels(at: Point, output: Output, is_coarse: bool) -> impl Fn(Radiance, u8) -> u8 {
+    let threshold = output.dither.threshold(at.x, at.y, is_coarse);
+    move |light, max| {
+        // Q16 * max + Q16
+        ((output.transfer.encode(light) * u32::from(max) + threshold) >> 16) as u8
+    }
+}
+
 macro_rules! rgb {
     ($($color:ty),*) => {$(
         impl Pixel for $color {
             #[inline]
-            fn from_linear(color: Color<Radiance>) -> Self {
+            fn show(color: Color<Radiance>, at: Point, output: Output) -> Self {
+                let level = levels(at, output, Self::MAX_G < u8::MAX);
                 Self::new(
-                    level(color.r, Self::MAX_R.into()) as u8,
-                    level(color.g, Self::MAX_G.into()) as u8,
-                    level(color.b, Self::MAX_B.into()) as u8,
+                    level(color.r, Self::MAX_R),
+                    level(color.g, Self::MAX_G),
+                    level(color.b, Self::MAX_B),
                 )
             }
         }
     )*};
 }
 
-rgb!(Rgb565, Rgb666, Rgb888, Bgr565, Bgr888);
+rgb!(
+    Rgb555, Rgb565, Rgb666, Rgb888, Bgr555, Bgr565, Bgr666, Bgr888
+);
 
 macro_rules! gray {
     ($($color:ty: $max:literal),*) => {$(
         impl Pixel for $color {
             #[inline]
-            fn from_linear(color: Color<Radiance>) -> Self {
-                Self::new(level(luminance(color), $max) as u8)
+            fn show(color: Color<Radiance>, at: Point, output: Output) -> Self {
+                Self::new(levels(at, output, $max < 255)(luminance(color), $max))
             }
         }
     )*};
@@ -78,48 +84,84 @@ gray!(Gray8: 255, Gray4: 15, Gray2: 3);
 
 impl Pixel for BinaryColor {
     #[inline]
-    fn from_linear(color: Color<Radiance>) -> Self {
-        (luminance(color) >= Radiance::ONE / 2).into()
+    fn show(color: Color<Radiance>, at: Point, output: Output) -> Self {
+        (levels(at, output, true)(luminance(color), 1) == 1).into()
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Dither;
     use embedded_graphics_core::pixelcolor::GrayColor;
+
+    const NEAREST: Output = Output {
+        transfer: crate::Transfer::Linear,
+        dither: Dither::Off,
+    };
 
     fn gray(value: Radiance) -> Color<Radiance> {
         Color::new(value, value, value)
     }
 
+    fn nearest<P: Pixel>(value: Radiance) -> P {
+        P::show(gray(value), Point::zero(), NEAREST)
+    }
+
     #[test]
     fn levels_are_rounded_and_clipped() {
         let half_level = Radiance::ONE / 62;
-        assert_eq!(Rgb565::from_linear(gray(Radiance::MAX)), Rgb565::WHITE);
-        assert_eq!(
-            Rgb565::from_linear(gray(half_level + Radiance::from_bits(1 << 15))).r(),
-            1
-        );
-        assert_eq!(
-            Rgb565::from_linear(gray(half_level - Radiance::from_bits(1 << 15))).r(),
-            0
-        );
-        assert_eq!(Gray4::from_linear(gray(Radiance::ONE)).luma(), 15);
-        assert_eq!(Gray2::from_linear(gray(Radiance::ZERO)).luma(), 0);
-        assert_eq!(
-            BinaryColor::from_linear(gray(Radiance::ONE / 2)),
-            BinaryColor::On
-        );
-        assert_eq!(<Color<u16>>::from_linear(gray(Radiance::ONE)).g, 0xffff);
+        let little = Radiance::from_bits(1 << 15);
+        assert_eq!(nearest::<Rgb565>(Radiance::MAX), Rgb565::WHITE);
+        assert_eq!(nearest::<Rgb565>(half_level + little).r(), 1);
+        assert_eq!(nearest::<Rgb565>(half_level - little).r(), 0);
+        assert_eq!(nearest::<Gray4>(Radiance::ONE).luma(), 15);
+        assert_eq!(nearest::<Gray2>(Radiance::ZERO).luma(), 0);
+        let half = Radiance::ONE / 2;
+        assert_eq!(nearest::<BinaryColor>(half), BinaryColor::On);
+        assert_eq!(nearest::<Color<u16>>(Radiance::ONE).g, 0xffff);
+    }
+
+    /// The pixels of a tile, in any color.
+    fn tile<P: Pixel>(value: Radiance) -> impl Iterator<Item = P> {
+        let places = (0..64).map(|i| Point::new(i % 8 - 4, i / 8));
+        places.map(move |at| P::show(gray(value), at, Output::default()))
+    }
+
+    #[test]
+    fn a_tile_has_as_many_pixels_of_a_level_as_the_value_is_near_it() {
+        for share in 0..=64 {
+            let value = Radiance::ONE / 64 * share;
+            let lit = tile::<BinaryColor>(value).filter(|it| it.is_on()).count();
+            assert_eq!(lit, share as usize);
+            let sum: u32 = tile::<Gray4>(value).map(|it| u32::from(it.luma())).sum();
+            assert_eq!(sum, 15 * share);
+        }
+    }
+
+    #[test]
+    fn colors_of_8_bits_are_not_dithered() {
+        let value = Radiance::ONE / 1000 * 123;
+        assert!(tile::<Rgb888>(value).all(|it| it == nearest(value)));
+        assert!(tile::<Gray8>(value).all(|it| it == nearest(value)));
+        assert!(tile::<Color<u16>>(value).all(|it| it == nearest(value)));
+        assert!(!tile::<Rgb666>(value).all(|it| it == nearest(value)));
     }
 
     #[test]
     fn channels_keep_their_places() {
         let red = Color::new(Radiance::ONE, Radiance::ZERO, Radiance::ZERO);
-        assert_eq!(Rgb888::from_linear(red), Rgb888::RED);
-        assert_eq!(Bgr888::from_linear(red), Bgr888::RED);
-        assert_eq!(Bgr565::from_linear(red), Bgr565::RED);
-        assert_eq!(Rgb666::from_linear(red), Rgb666::RED);
-        assert_eq!(Gray8::from_linear(red).luma(), 54);
+        fn shown<P: Pixel>(color: Color<Radiance>) -> P {
+            P::show(color, Point::new(3, 5), Output::default())
+        }
+        assert_eq!(shown::<Rgb888>(red), Rgb888::RED);
+        assert_eq!(shown::<Bgr888>(red), Bgr888::RED);
+        assert_eq!(shown::<Rgb666>(red), Rgb666::RED);
+        assert_eq!(shown::<Bgr666>(red), Bgr666::RED);
+        assert_eq!(shown::<Rgb565>(red), Rgb565::RED);
+        assert_eq!(shown::<Bgr565>(red), Bgr565::RED);
+        assert_eq!(shown::<Rgb555>(red), Rgb555::RED);
+        assert_eq!(shown::<Bgr555>(red), Bgr555::RED);
+        assert_eq!(shown::<Gray8>(red).luma(), 54);
     }
 }

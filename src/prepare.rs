@@ -13,13 +13,12 @@ mod trigonometry;
 pub(crate) use check::{max_depth, min_weight};
 
 use crate::num::{Length, Radiance, factor, reciprocal};
-use crate::prepared::{Camera, Light, Material, Object, Room, Settings};
+use crate::prepared::{Camera, Frame, Light, Material, Object, Room, Settings};
 use crate::scene::{self, Background};
 use crate::texture::{Checker, Texture};
 use crate::vector::direction;
 use crate::{Axis, Color, Item, Problem, Real, Scene, SceneError, Shading};
 
-use frame::Frame;
 use shape::shape;
 
 /// Prepares a scene into `room`.
@@ -53,12 +52,27 @@ pub(crate) fn prepare(scene: &Scene<'_>, room: &mut impl Room) -> Result<Setting
     };
     Ok(Settings {
         camera,
+        authored: scene.camera,
+        frame,
         horizon: intensity(horizon),
         zenith: intensity(zenith),
         exposure,
         max_depth: scene.max_depth,
         min_weight: factor(scene.min_weight, 0),
     })
+}
+
+/// Brings another camera to the scale of a prepared scene.
+pub(crate) fn moved_camera(camera: &scene::Camera, frame: &Frame) -> Result<Camera, SceneError> {
+    check::camera(camera)?;
+    if !frame.is_near(camera.eye) {
+        return Err(SceneError {
+            item: Item::Camera,
+            field: "eye",
+            problem: Problem::OutOfReach,
+        });
+    }
+    self::camera(camera, frame)
 }
 
 fn camera(camera: &scene::Camera, frame: &Frame) -> Result<Camera, SceneError> {

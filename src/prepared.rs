@@ -8,15 +8,18 @@
 use crate::error::Full;
 use crate::num::{Factor, Length, Radiance, Unit, power};
 use crate::ray::Point;
-use crate::shape::{Around, Bound, Plane, Shape, Sight};
+use crate::shape::{Around, Plane, Shape, Sight};
 use crate::texture::Texture;
-use crate::{Color, Vec3};
+use crate::{Color, Real, Vec3, scene};
 
 /// The most secondary generations of rays.
 pub(crate) const MAX_DEPTH: u8 = 32;
 
 /// Offsets of planes are below 2^48 steps, 2^20 times the finite geometry.
 pub(crate) const OFFSET_BITS: i32 = 48;
+
+/// The finest scale: a step of a [`Real`](crate::Real) is then one of a [`Length`].
+pub(crate) const FINEST: i32 = 4;
 
 /// Where a prepared scene is put together.
 ///
@@ -42,12 +45,9 @@ pub struct PreparedScene<'b> {
     pub(crate) sights: Sights<'b>,
 }
 
-/// How the eye and the lights see the bounds of the finite objects, in their
-/// order.
+/// How the lights see the bounds of the finite objects, in their order.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sights<'b> {
-    /// In the camera's frame: to the right, up, and forward.
-    pub(crate) eye: &'b [Bound],
     /// Light after light, each so many sights long.
     pub(crate) lights: &'b [Sight],
     pub(crate) stride: usize,
@@ -62,15 +62,44 @@ impl<'b> Sights<'b> {
 }
 
 /// All of a prepared scene that is not a list.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Settings {
     pub(crate) camera: Camera,
+    /// The camera as it was authored, of which orbits need the whole.
+    pub(crate) authored: scene::Camera,
+    pub(crate) frame: Frame,
     pub(crate) horizon: Color<Factor>,
     pub(crate) zenith: Color<Factor>,
     /// Radiances are to be multiplied by 2^exposure to become those of the scene.
     pub(crate) exposure: u8,
     pub(crate) max_depth: u8,
     pub(crate) min_weight: Factor,
+}
+
+impl Settings {
+    /// Before they are read.
+    pub(crate) fn blank() -> Self {
+        let nowhere = Vec3::new(Real::ZERO, Real::ZERO, Real::ZERO);
+        Self {
+            camera: Camera::default(),
+            authored: scene::Camera::new(nowhere, nowhere, Real::ZERO),
+            frame: Frame::default(),
+            horizon: Color::<Factor>::BLACK,
+            zenith: Color::<Factor>::BLACK,
+            exposure: 0,
+            max_depth: 0,
+            min_weight: Factor::ZERO,
+        }
+    }
+}
+
+/// Where a prepared scene lies in the world: `prepared = (world - center) * 2^exponent`.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Frame {
+    /// In the bits of a [`Real`](crate::Real).
+    pub(crate) center: Vec3<i64>,
+    /// -32 to [`FINEST`].
+    pub(crate) exponent: i32,
 }
 
 /// A camera with an orthonormal base.
@@ -173,6 +202,12 @@ impl<'b> PreparedScene<'b> {
         self.settings.max_depth
     }
 
+    /// The camera, in world units, to be moved by
+    /// [`set_camera`](Self::set_camera).
+    pub fn camera(&self) -> scene::Camera {
+        self.settings.authored
+    }
+
     /// How many objects, lights and materials there are.
     pub fn counts(&self) -> [usize; 3] {
         [self.objects.len(), self.lights.len(), self.materials.len()]
@@ -209,8 +244,7 @@ mod tests {
     #[test]
     fn items_take_as_many_bytes_as_documented() {
         assert_eq!(size_of::<Object>(), 112);
-        assert_eq!(size_of::<Around>(), 20);
-        assert_eq!(size_of::<Bound>(), 16);
+        assert_eq!(size_of::<Around>(), 24);
         assert_eq!(size_of::<Sight>(), 16);
         assert_eq!(size_of::<Light>(), 28);
         assert_eq!(size_of::<Material>(), 56);

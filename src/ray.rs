@@ -14,7 +14,7 @@ use crate::vector::round_length;
 ///
 /// From a near point to the finite geometry it is less than
 /// `sqrt(3) * (3.5 + 1) < 8`, which a [`Length`] holds.
-const NEAR: i32 = 7 << 27;
+pub(crate) const NEAR: i32 = 7 << 27;
 
 /// A hit is passed over from `2^(32 + HORIZON)` steps on: 2^26 times the
 /// scene's size, closer to the horizon than the pixels of any display.

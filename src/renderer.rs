@@ -1,17 +1,16 @@
-//! Scanlines to a display.
+//! Scanlines of a scene, and what is drawn of them on a display.
 
-use embedded_graphics_core::draw_target::DrawTarget;
+mod display;
+
 use embedded_graphics_core::geometry::{Point, Size};
-use embedded_graphics_core::primitives::Rectangle;
 
-use crate::camera::{Line, View};
-use crate::coverage::Coverage;
 use crate::num::Radiance;
 use crate::observer::Observer;
-use crate::tracer::{Scratch, trace};
-use crate::{Color, Pixel, PreparedScene};
+use crate::raster::Raster;
+use crate::{Color, Output, Pixel, PreparedScene};
 
-/// Draws a scene line by line, each pixel once, without a framebuffer.
+/// Draws a scene line by line, each pixel once, without a framebuffer; or step by
+/// step, in other orders too: [`step`](Self::step).
 ///
 /// It takes 2.2 KB, as it holds the stack of rays and which objects a line may
 /// show: keep it in a `static` or high up on the stack. The picture's aspect
@@ -33,10 +32,8 @@ use crate::{Color, Pixel, PreparedScene};
 /// ```
 #[derive(Clone, Debug)]
 pub struct Renderer<'s, O: Observer = ()> {
-    scene: &'s PreparedScene<'s>,
-    view: View,
-    scratch: Scratch,
-    coverage: Coverage,
+    raster: Raster<'s>,
+    output: Output,
     observer: O,
 }
 
@@ -50,12 +47,9 @@ impl<'s> Renderer<'s> {
 impl<'s, O: Observer> Renderer<'s, O> {
     /// A renderer that tells an observer of every ray.
     pub fn with_observer(scene: &'s PreparedScene<'s>, size: Size, observer: O) -> Self {
-        let view = View::new(&scene.settings.camera, size.width, size.height);
         Self {
-            scene,
-            view,
-            scratch: Scratch::default(),
-            coverage: Coverage::default(),
+            raster: Raster::new(scene, size.width, size.height),
+            output: Output::default(),
             observer,
         }
     }
@@ -65,104 +59,44 @@ impl<'s, O: Observer> Renderer<'s, O> {
         &self.observer
     }
 
+    /// How the picture is shown on the display.
+    pub fn output(&self) -> Output {
+        self.output
+    }
+
+    /// Shows what is drawn from now on in another way.
+    pub fn set_output(&mut self, output: Output) {
+        self.output = output;
+    }
+
     /// The size of the picture.
     pub fn size(&self) -> Size {
-        Size::new(self.view.width, self.view.height)
+        Size::new(self.raster.width(), self.raster.height())
     }
 
     /// The linear colors of line `y`, traced one by one as they are asked
     /// for. A line outside of the picture is empty.
     pub fn line(&mut self, y: u32) -> impl Iterator<Item = Color<Radiance>> {
-        self.coverage.look(self.scene, &self.view, y);
-        Pixels {
-            rays: self.view.line(y),
-            x: 0,
-            scene: self.scene,
-            coverage: &mut self.coverage,
-            scratch: &mut self.scratch,
-            observer: &mut self.observer,
-        }
+        let columns = self.raster.columns();
+        let pixels = self.raster.pixels(y, columns, &mut self.observer);
+        pixels.map(|(_, color)| color)
     }
 
     /// The linear color of a single pixel, the same as in its line; black
     /// outside of the picture.
     pub fn pixel(&mut self, x: u32, y: u32) -> Color<Radiance> {
-        let mut rays = self.view.line(y);
-        rays.skip_to(x);
-        rays.next().map_or(Color::<Radiance>::BLACK, |ray| {
-            trace(
-                self.scene,
-                &ray,
-                None,
-                &mut self.scratch,
-                &mut self.observer,
-            )
-        })
+        self.raster.pixel(x, y, &mut self.observer)
     }
 
     /// Traces line `y` into a slice, for example to send it by DMA while the
     /// next is traced. What is longer than the line is left as it is.
     pub fn render_line<P: Pixel>(&mut self, y: u32, line: &mut [P]) {
-        for (pixel, color) in line.iter_mut().zip(self.line(y)) {
-            *pixel = P::from_linear(color);
+        let output = self.output;
+        let columns = self.raster.columns();
+        let pixels = self.raster.pixels(y, columns, &mut self.observer);
+        for (pixel, (x, color)) in line.iter_mut().zip(pixels) {
+            *pixel = P::show(color, Point::new(x as i32, y as i32), output);
         }
-    }
-
-    /// Draws line `y` by one call of `fill_contiguous`.
-    ///
-    /// # Errors
-    /// The display's own.
-    pub fn draw_line<D>(&mut self, y: u32, target: &mut D) -> Result<(), D::Error>
-    where
-        D: DrawTarget,
-        D::Color: Pixel,
-    {
-        let row = Rectangle::new(Point::new(0, y as i32), Size::new(self.size().width, 1));
-        target.fill_contiguous(&row, self.line(y).map(Pixel::from_linear))
-    }
-
-    /// Draws the whole picture, top to bottom.
-    ///
-    /// # Errors
-    /// The display's own, at once.
-    pub fn draw<D>(&mut self, target: &mut D) -> Result<(), D::Error>
-    where
-        D: DrawTarget,
-        D::Color: Pixel,
-    {
-        (0..self.size().height).try_for_each(|y| self.draw_line(y, target))
-    }
-}
-
-/// The pixels of a line as they are traced.
-struct Pixels<'r, O> {
-    rays: Line,
-    x: u32,
-    scene: &'r PreparedScene<'r>,
-    coverage: &'r mut Coverage,
-    scratch: &'r mut Scratch,
-    observer: &'r mut O,
-}
-
-impl<O: Observer> Iterator for Pixels<'_, O> {
-    type Item = Color<Radiance>;
-
-    #[inline]
-    fn next(&mut self) -> Option<Self::Item> {
-        let ray = self.rays.next()?;
-        let candidates = self.coverage.at(self.x);
-        self.x += 1;
-        Some(trace(
-            self.scene,
-            &ray,
-            candidates,
-            self.scratch,
-            self.observer,
-        ))
-    }
-
-    fn size_hint(&self) -> (usize, Option<usize>) {
-        self.rays.size_hint()
     }
 }
 

@@ -2,6 +2,8 @@
 //!
 //! Shading never traces: [`crate::tracer`] walks the tree of rays.
 
+use core::ptr;
+
 use crate::intersect::{Hit, Part};
 use crate::num::{Factor, Product, Radiance, Unit, power, reciprocal_root};
 use crate::observer::{Observer, share};
@@ -79,6 +81,13 @@ impl<'s> Surface<'s> {
     /// The object's number.
     pub(crate) fn object(&self) -> u16 {
         self.start.object
+    }
+
+    /// The material's number: found by its place in the list, as only observers ask.
+    pub(crate) fn material(&self, scene: &PreparedScene<'_>) -> u16 {
+        let place = ptr::from_ref(self.material).addr();
+        let distance = place.wrapping_sub(scene.materials.as_ptr().addr());
+        (distance / size_of::<Material>()) as u16
     }
 
     /// Whether the ray came from behind the surface.

@@ -173,6 +173,7 @@ fn tell(
         generation: kin.generation,
         weight: share(kin.weight),
         object: surface.map(Surface::object),
+        material: surface.map(|surface| surface.material(scene)),
         inside: surface.is_some_and(Surface::inside),
         local: local.brightened(scene.settings.exposure.into()),
     });

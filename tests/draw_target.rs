@@ -7,7 +7,8 @@ use std::convert::Infallible;
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::mock_display::MockDisplay;
 use embedded_graphics::pixelcolor::{
-    Bgr565, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb565, Rgb666, Rgb888,
+    Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666,
+    Rgb888,
 };
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
@@ -68,10 +69,13 @@ where
 #[test]
 fn every_pixel_is_drawn_once_in_every_color() {
     let size = Size::new(33, 17);
+    draws_every_pixel_once::<Rgb555>(size);
     draws_every_pixel_once::<Rgb565>(size);
     draws_every_pixel_once::<Rgb666>(size);
     draws_every_pixel_once::<Rgb888>(size);
+    draws_every_pixel_once::<Bgr555>(size);
     draws_every_pixel_once::<Bgr565>(size);
+    draws_every_pixel_once::<Bgr666>(size);
     draws_every_pixel_once::<Bgr888>(size);
     draws_every_pixel_once::<Gray8>(size);
     draws_every_pixel_once::<Gray4>(size);

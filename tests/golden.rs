@@ -8,22 +8,40 @@
 use std::path::PathBuf;
 
 use embedded_graphics::pixelcolor::{
-    Bgr565, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb565, Rgb666, Rgb888,
+    Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666,
+    Rgb888,
 };
 use embedded_graphics::prelude::*;
-use whitted::{Color, Pixel, Renderer};
+use whitted::{Antialiased, Color, Dither, Output, Pixel, Renderer, Sample, Samples, Transfer};
 use whitted_sim::picture::Picture;
-use whitted_sim::{png16, scene_file};
+use whitted_sim::{png16, render, scene_file};
 
 const SIZE: Size = Size::new(96, 72);
 
-fn draw<C: PixelColor + Pixel + Into<Rgb888>>() -> Picture {
+const DITHERED: Output = Output {
+    transfer: Transfer::Linear,
+    dither: Dither::Ordered,
+};
+const NEAREST: Output = Output {
+    dither: Dither::Off,
+    ..DITHERED
+};
+const SRGB: Output = Output {
+    transfer: Transfer::Srgb,
+    ..DITHERED
+};
+
+fn draw<C>(output: Output) -> Picture
+where
+    C: PixelColor + Pixel + From<BinaryColor> + Into<Rgb888>,
+{
     let file =
         scene_file::load(concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/whitted.toml")).unwrap();
     let mut buffer = Box::new(scene_file::Buffer::new());
     let scene = file.prepare(&mut buffer).unwrap();
     let mut renderer = Renderer::new(&scene, SIZE);
-    let mut line = [C::from_linear(Color::default()); SIZE.width as usize];
+    renderer.set_output(output);
+    let mut line = [C::from(BinaryColor::Off); SIZE.width as usize];
     let mut pixels = Vec::new();
     for y in 0..SIZE.height {
         renderer.render_line(y, &mut line);
@@ -60,26 +78,50 @@ fn check(name: &str, drawn: &Picture) {
 }
 
 macro_rules! golden {
-    ($($color:ident: $name:ident),*) => {$(
+    ($($name:ident: $color:ident, $output:ident;)*) => {$(
         #[test]
         fn $name() {
-            check(stringify!($name), &draw::<$color>());
+            check(stringify!($name), &draw::<$color>($output));
         }
     )*};
 }
 
 golden! {
-    Rgb565: rgb565,
-    Rgb666: rgb666,
-    Rgb888: rgb888,
-    Gray8: gray8,
-    Gray4: gray4,
-    Gray2: gray2,
-    BinaryColor: binary
+    rgb565: Rgb565, NEAREST;
+    rgb666: Rgb666, NEAREST;
+    rgb888: Rgb888, DITHERED;
+    gray8: Gray8, DITHERED;
+    gray4: Gray4, NEAREST;
+    gray2: Gray2, NEAREST;
+    binary: BinaryColor, NEAREST;
+    rgb565_dithered: Rgb565, DITHERED;
+    rgb666_dithered: Rgb666, DITHERED;
+    gray4_dithered: Gray4, DITHERED;
+    gray2_dithered: Gray2, DITHERED;
+    binary_dithered: BinaryColor, DITHERED;
+    rgb888_srgb: Rgb888, SRGB;
+    rgb565_srgb: Rgb565, SRGB;
+    gray4_srgb: Gray4, SRGB;
+}
+
+#[test]
+fn antialiased() {
+    const WHITTED: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/whitted.toml");
+    let file = scene_file::load(WHITTED).unwrap();
+    let mut buffer = Box::new(scene_file::Buffer::new());
+    let scene = file.prepare(&mut buffer).unwrap();
+    let mut memory = [Sample::BLACK; 2 * SIZE.width as usize];
+    for (name, samples) in [("rays4", Samples::Four), ("rays16", Samples::Sixteen)] {
+        let mut renderer = Antialiased::new(&scene, SIZE, samples, &mut memory).unwrap();
+        let drawn = render::lines(SIZE, |y, line| renderer.render_line(y, line));
+        check(name, &drawn);
+    }
 }
 
 #[test]
 fn blue_first_formats_look_like_their_red_first_ones() {
-    assert_eq!(draw::<Bgr565>(), draw::<Rgb565>());
-    assert_eq!(draw::<Bgr888>(), draw::<Rgb888>());
+    assert_eq!(draw::<Bgr555>(DITHERED), draw::<Rgb555>(DITHERED));
+    assert_eq!(draw::<Bgr565>(DITHERED), draw::<Rgb565>(DITHERED));
+    assert_eq!(draw::<Bgr666>(DITHERED), draw::<Rgb666>(DITHERED));
+    assert_eq!(draw::<Bgr888>(DITHERED), draw::<Rgb888>(DITHERED));
 }

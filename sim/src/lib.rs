@@ -14,6 +14,7 @@
 
 pub mod compare;
 pub mod cost;
+pub mod flash;
 pub mod picture;
 pub mod png16;
 pub mod ray_tree;

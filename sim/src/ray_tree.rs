@@ -9,10 +9,10 @@
 
 use std::fmt::{self, Write};
 
-use embedded_graphics_core::geometry::Size;
+use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 use whitted::{
-    Color, Node, Observer, Pixel, PreparedScene, Radiance, RayKind, Real, Renderer, Stats,
+    Color, Node, Observer, Output, Pixel, PreparedScene, Radiance, RayKind, Real, Renderer, Stats,
 };
 
 /// All rays that a pixel's color comes from.
@@ -100,7 +100,7 @@ impl RayTree {
     }
 
     fn sum(&self, text: &mut String) -> fmt::Result {
-        let eight = Rgb888::from_linear(self.color);
+        let eight = Rgb888::show(self.color, Point::zero(), Output::default());
         let (r, g, b) = (eight.r(), eight.g(), eight.b());
         writeln!(text, "color: {}", numbers(self.color))?;
         writeln!(text, "8 bit: ({r}, {g}, {b})")?;

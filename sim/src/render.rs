@@ -12,12 +12,19 @@ pub fn linear(scene: &PreparedScene<'_>, size: Size) -> Picture {
 
 /// Renders line by line, telling each line that is done.
 pub fn trace<O: Observer>(renderer: &mut Renderer<'_, O>, mut done: impl FnMut(u32)) -> Picture {
-    let Size { width, height } = renderer.size();
+    lines(renderer.size(), |y, line| {
+        renderer.render_line(y, line);
+        done(y);
+    })
+}
+
+/// A picture whose lines are rendered one by one, by their numbers.
+pub fn lines(size: Size, mut render: impl FnMut(u32, &mut [Color<u16>])) -> Picture {
+    let Size { width, height } = size;
     let mut pixels = vec![Color::<u16>::default(); width as usize * height as usize];
     // Zero is no chunk size; a picture without columns has no pixels anyway.
     for (y, line) in (0..height).zip(pixels.chunks_exact_mut(width.max(1) as usize)) {
-        renderer.render_line(y, line);
-        done(y);
+        render(y, line);
     }
     Picture {
         width,

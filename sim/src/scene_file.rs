@@ -5,6 +5,7 @@
 //! that error back to its line. The file is walked as a `DeTable`, whose spans
 //! give each error a line, which serde's tagged enums would lose.
 
+mod animation;
 mod error;
 mod example;
 mod explain;
@@ -12,12 +13,15 @@ mod file;
 mod keys;
 mod light;
 mod material;
+mod motion;
+mod name;
 mod nearest;
 mod object;
 mod outline;
 mod read;
 mod shape;
 mod source;
+mod target;
 mod texture;
 mod value;
 
@@ -25,6 +29,7 @@ use std::path::Path;
 
 pub use error::LoadError;
 pub use file::{Buffer, SceneFile};
+pub use motion::{Motion, Stage};
 pub use nearest::nearest;
 
 /// Reads a scene file.

@@ -1,7 +1,8 @@
 //! What is said about bad scene files, word for word.
 //!
 //! `bad_scenes/*.txt` are lists of cases: a scene file, `---`, the message;
-//! `===` between two. A file without a camera gets one at its end.
+//! `===` between two. A file without a camera gets one at its end; a track's target
+//! is none.
 
 use std::error::Error;
 
@@ -15,7 +16,7 @@ fovy_deg = 33
 ";
 
 fn message(scene: &str) -> String {
-    let text = match scene.contains("camera") {
+    let text = match scene.replace("\"camera.", "").contains("camera") {
         true => scene.to_owned(),
         false => format!("{scene}{CAMERA}"),
     };
@@ -68,6 +69,11 @@ fn syntax() -> Result<(), Box<dyn Error>> {
 #[test]
 fn camera() -> Result<(), Box<dyn Error>> {
     check(include_str!("bad_scenes/camera.txt"))
+}
+
+#[test]
+fn animation() -> Result<(), Box<dyn Error>> {
+    check(include_str!("bad_scenes/animation.txt"))
 }
 
 /// Found where the scene is prepared, and led back to its line.

@@ -1,7 +1,8 @@
 //! The program: what it writes, says, and exits with.
 
 use std::error::Error;
-use std::fs;
+use std::fs::{self, File};
+use std::io::BufReader;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
@@ -21,8 +22,13 @@ impl Directory {
     }
 
     fn sim(&self, args: &[&str]) -> Result<Output, Box<dyn Error>> {
+        Ok(self.command(args).output()?)
+    }
+
+    fn command(&self, args: &[&str]) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_sim"));
-        Ok(command.args(args).current_dir(&self.0).output()?)
+        command.args(args).current_dir(&self.0);
+        command
     }
 
     /// What it prints, if it succeeds.
@@ -89,10 +95,13 @@ fn every_format_is_rendered() -> Outcome {
     let here = Directory::new("formats")?;
     let colors = [
         ("rgb888", 999),
+        ("rgb666", 999),
         ("rgb565", 999),
+        ("rgb555", 999),
         ("gray8", 256),
         ("gray4", 16),
         ("gray2", 4),
+        ("binary", 2),
         ("bw", 2),
     ];
     for (format, most) in colors {
@@ -109,6 +118,114 @@ fn every_format_is_rendered() -> Outcome {
             pixels.len()
         );
     }
+    Ok(())
+}
+
+#[test]
+fn passes_end_with_the_picture() -> Outcome {
+    let here = Directory::new("passes")?;
+    let render = |order: &[&str]| {
+        let args = ["render", "whitted", "--size", "70x33", "-o", "passes.png"];
+        here.ok(&[&args, order].concat())?;
+        Ok::<_, Box<dyn Error>>(png16::read(here.0.join("passes.png"))?.pixels)
+    };
+    let scanlines = render(&["--passes", "1"])?;
+    for passes in 1..=5_u8 {
+        let count = passes.to_string();
+        let pixels = render(&["--order", "progressive", "--passes", &count])?;
+        assert_eq!(pixels == scanlines, passes == 5, "{passes}");
+        let block = 16 >> (passes - 1);
+        for (index, pixel) in pixels.iter().enumerate() {
+            let (x, y) = (index % 70, index / 70);
+            let corner = y / block * block * 70 + x / block * block;
+            assert_eq!(*pixel, scanlines[corner], "({x}, {y}), blocks of {block}");
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn blocks_are_dithered_pixel_by_pixel() -> Outcome {
+    let here = Directory::new("blocks")?;
+    let camera = "camera = { eye = [0, 0, 1], look_at = [0, 0, 0], fovy_deg = 33 }\n";
+    fs::write(
+        here.0.join("gray.toml"),
+        format!("background = [0.3, 0.3, 0.3]\n{camera}"),
+    )?;
+    let render = |passes: &str| {
+        let order = ["--order", "progressive", "--passes", passes];
+        let args = [
+            "render",
+            "gray.toml",
+            "--size",
+            "40x30",
+            "--format",
+            "gray4",
+        ];
+        here.ok(&[&args[..], &order].concat())?;
+        Ok::<_, Box<dyn Error>>(png16::read(here.0.join("gray.png"))?.pixels)
+    };
+    let dithered = render("5")?;
+    assert!(dithered.iter().any(|pixel| *pixel != dithered[0]));
+    assert!(render("1")? == dithered);
+    Ok(())
+}
+
+#[test]
+fn displays_are_listed_and_drawn_on() -> Outcome {
+    let here = Directory::new("displays")?;
+    let list = here.ok(&["displays"])?;
+    assert_eq!(list.lines().count(), 7, "{list}");
+    for line in list.lines() {
+        let [name, size] = [0, 1].map(|column| line.split_whitespace().nth(column));
+        let (name, size) = (name.ok_or(line)?, size.ok_or(line)?);
+        here.ok(&["render", "whitted", "--display", name, "-o", "display.png"])?;
+        let picture = png16::read(here.0.join("display.png"))?;
+        assert_eq!(format!("{}x{}", picture.width, picture.height), size);
+    }
+    Ok(())
+}
+
+#[test]
+fn a_display_has_its_own_colors_and_scale() -> Outcome {
+    let here = Directory::new("display")?;
+    let args = ["render", "whitted", "--display", "ssd1306", "--scale", "2"];
+    here.ok(&args)?;
+    let picture = png16::read(here.0.join("whitted.png"))?;
+    assert_eq!((picture.width, picture.height), (256, 128));
+    let color = |rgb: [u16; 3]| rgb.map(|channel| 257 * channel);
+    let blues = [[0, 20, 40], [0, 210, 255]].map(color);
+    let mut pixels = picture
+        .pixels
+        .iter()
+        .map(|pixel| [pixel.r, pixel.g, pixel.b]);
+    assert!(pixels.all(|pixel| blues.contains(&pixel)));
+    Ok(())
+}
+
+#[test]
+fn dither_transfer_and_smooth_edges_change_the_picture() -> Outcome {
+    let here = Directory::new("output")?;
+    let plain = ["render", "whitted", "--size", "40x30", "--format", "gray4"];
+    let mut pictures = Vec::new();
+    for options in [
+        &[][..],
+        &["--dither", "off"],
+        &["--transfer", "srgb"],
+        &["--antialias", "4"],
+        &["--antialias", "16"],
+    ] {
+        here.ok(&[&plain[..], &["-o", "shown.png"], options].concat())?;
+        pictures.push(png16::read(here.0.join("shown.png"))?);
+    }
+    for (index, picture) in pictures.iter().enumerate() {
+        assert!(!pictures[..index].contains(picture), "the picture {index}");
+    }
+    let linear = ["render", "whitted", "--size", "40x30", "--linear16"];
+    here.ok(&[&linear[..], &["-o", "plain.png"]].concat())?;
+    here.ok(&[&linear[..], &["--antialias", "4", "-o", "smooth.png"]].concat())?;
+    let [plain, smooth] = ["plain.png", "smooth.png"].map(|file| png16::read(here.0.join(file)));
+    assert!(plain? != smooth?);
     Ok(())
 }
 
@@ -245,12 +362,248 @@ fn a_gallery_shows_scenes() -> Outcome {
     Ok(())
 }
 
+/// The frames of an animation, red, green and blue, and how long each is shown.
+type Frames = (Vec<Vec<u8>>, Vec<u16>);
+
+/// The frames of an APNG, each drawn over those before.
+fn apng_frames(path: &Path) -> Result<Frames, Box<dyn Error>> {
+    let mut reader = png::Decoder::new(BufReader::new(File::open(path)?)).read_info()?;
+    let control = reader.info().animation_control.ok_or("is not animated")?;
+    assert_eq!(control.num_plays, 0);
+    let [width, height] = [reader.info().width, reader.info().height].map(|side| side as usize);
+    let mut picture = vec![0; 3 * width * height];
+    let (mut frames, mut delays) = (Vec::new(), Vec::new());
+    for _ in 0..control.num_frames {
+        let mut part = vec![0; reader.output_buffer_size().ok_or("too large")?];
+        reader.next_frame(&mut part)?;
+        let control = reader.info().frame_control.ok_or("a frame")?;
+        let (left, top) = (control.x_offset as usize, control.y_offset as usize);
+        let length = 3 * control.width as usize;
+        for (y, row) in (top..)
+            .zip(part.chunks_exact(length))
+            .take(control.height as usize)
+        {
+            let at = 3 * (y * width + left);
+            picture[at..at + length].copy_from_slice(row);
+        }
+        frames.push(picture.clone());
+        delays.push(control.delay_num);
+    }
+    Ok((frames, delays))
+}
+
+/// The frames of a GIF, each drawn over those before.
+fn gif_frames(path: &Path) -> Result<Frames, Box<dyn Error>> {
+    let mut options = gif::DecodeOptions::new();
+    options.set_color_output(gif::ColorOutput::RGBA);
+    let mut reader = options.read_info(File::open(path)?)?;
+    let width = usize::from(reader.width());
+    let mut picture = vec![0; 3 * width * usize::from(reader.height())];
+    let (mut frames, mut delays) = (Vec::new(), Vec::new());
+    while let Some(frame) = reader.read_next_frame()? {
+        let (left, top) = (usize::from(frame.left), usize::from(frame.top));
+        for (y, row) in (top..).zip(frame.buffer.chunks_exact(4 * usize::from(frame.width))) {
+            for (x, rgba) in (left..).zip(row.as_chunks::<4>().0) {
+                if let [rgb @ .., 255] = rgba {
+                    picture[3 * (y * width + x)..][..3].copy_from_slice(rgb);
+                }
+            }
+        }
+        frames.push(picture.clone());
+        delays.push(frame.delay);
+    }
+    assert_eq!(reader.repeat(), gif::Repeat::Infinite);
+    Ok((frames, delays))
+}
+
+/// As a GIF, as an APNG and as PNGs they are the same pictures; 16 grays are
+/// few enough for a GIF to show them as they are.
+#[test]
+fn a_scene_is_animated() -> Outcome {
+    let here = Directory::new("animate")?;
+    let scene = [
+        "animate",
+        "bouncing_ball",
+        "--size",
+        "40x30",
+        "--frames",
+        "4",
+    ];
+    let gray = [&scene[..], &["--format", "gray4", "-o"]].concat();
+    let said = here.ok(&[&gray[..], &["out"]].concat())?;
+    assert_eq!(said, format!("wrote {}\n", here.0.join("out").display()));
+    here.ok(&[&gray[..], &["ball.gif"]].concat())?;
+    here.ok(&[&gray[..], &["ball.apng"]].concat())?;
+    let mut frames = Vec::new();
+    for index in 0..4 {
+        let picture = png16::read(here.0.join(format!("out/frame-000{index}.png")))?;
+        let samples = picture.pixels.iter().flat_map(|c| [c.r, c.g, c.b]);
+        frames.push(
+            samples
+                .map(|sample| (sample / 257) as u8)
+                .collect::<Vec<_>>(),
+        );
+    }
+    frames.windows(2).for_each(|two| assert!(two[0] != two[1]));
+    let of_gif = gif_frames(&here.0.join("ball.gif"))?;
+    let of_apng = apng_frames(&here.0.join("ball.apng"))?;
+    assert!(of_gif.0 == frames && of_apng.0 == frames);
+    // Of two seconds.
+    assert_eq!((of_gif.1, of_apng.1), (vec![50; 4], vec![500; 4]));
+
+    // The first frame is the still scene.
+    let still = [
+        "render",
+        "bouncing_ball",
+        "--size",
+        "40x30",
+        "--format",
+        "gray4",
+    ];
+    here.ok(&still)?;
+    let said = here.ok(&["compare", "bouncing_ball.png", "out/frame-0000.png"])?;
+    assert!(said.ends_with("the pictures are equal\n"), "{said}");
+    Ok(())
+}
+
+/// A ball that moves a little before a background that does not.
+const BALL: &str = r#"
+[camera]
+eye = [0, 0, 8]
+look_at = [0, 0, 0]
+fovy_deg = 33
+[materials.white]
+le = [1, 1, 1]
+[[objects]]
+type = "sphere"
+name = "ball"
+center = [0, 0, 0]
+radius = 0.5
+material = "white"
+[animation]
+duration = 1
+[[animation.tracks]]
+target = "objects.ball.center"
+keys = [[0, [0, 0, 0]], [1, [1, -0.5, 0]]]
+"#;
+
+#[test]
+fn of_a_frame_only_what_changed_is_written() -> Outcome {
+    let here = Directory::new("change")?;
+    fs::write(here.0.join("ball.toml"), BALL)?;
+    let scene = [
+        "animate",
+        "ball.toml",
+        "--size",
+        "40x30",
+        "--frames",
+        "3",
+        "-o",
+    ];
+    here.ok(&[&scene[..], &["ball.gif"]].concat())?;
+    here.ok(&[&scene[..], &["ball.apng"]].concat())?;
+    here.ok(&[&scene[..], &["out"]].concat())?;
+    let (of_gif, _) = gif_frames(&here.0.join("ball.gif"))?;
+    let (of_apng, _) = apng_frames(&here.0.join("ball.apng"))?;
+    for (index, (of_gif, of_apng)) in of_gif.iter().zip(&of_apng).enumerate() {
+        let picture = png16::read(here.0.join(format!("out/frame-000{index}.png")))?;
+        let samples = picture.pixels.iter().flat_map(|c| [c.r, c.g, c.b]);
+        let samples: Vec<_> = samples.map(|sample| (sample / 257) as u8).collect();
+        assert!(*of_gif == samples && *of_apng == samples, "frame {index}");
+    }
+    let mut reader = gif::DecodeOptions::new().read_info(File::open(here.0.join("ball.gif"))?)?;
+    let mut sizes = Vec::new();
+    while let Some(frame) = reader.next_frame_info()? {
+        sizes.push((frame.width, frame.height));
+    }
+    assert_eq!(sizes[0], (40, 30));
+    assert!(
+        sizes[1..]
+            .iter()
+            .all(|(width, height)| *width < 16 && *height < 12),
+        "{sizes:?}"
+    );
+    Ok(())
+}
+
+#[test]
+fn many_colors_fit_a_gif() -> Outcome {
+    let here = Directory::new("colors")?;
+    let scene = [
+        "animate",
+        "bouncing_ball",
+        "--size",
+        "64x48",
+        "--frames",
+        "3",
+        "-o",
+    ];
+    here.ok(&[&scene[..], &["ball.gif"]].concat())?;
+    here.ok(&[&scene[..], &["ball.png"]].concat())?;
+    let (few, _) = gif_frames(&here.0.join("ball.gif"))?;
+    let (all, _) = apng_frames(&here.0.join("ball.png"))?;
+    for (few, all) in few.iter().zip(&all) {
+        let off = few.iter().zip(all).map(|(a, b)| u32::from(a.abs_diff(*b)));
+        let mean = f64::from(off.sum::<u32>()) / few.len() as f64;
+        assert!(mean < 3.0, "off by {mean} of 255");
+    }
+    Ok(())
+}
+
+#[test]
+fn a_still_scene_is_orbited_once() -> Outcome {
+    let here = Directory::new("orbit")?;
+    let said = here.ok(&[
+        "animate", "whitted", "--size", "16x12", "--frames", "4", "-o", "w.gif",
+    ])?;
+    let note = "the scene has no [animation]: its camera orbits once\n";
+    assert!(said.starts_with(note), "{said}");
+    let (frames, delays) = gif_frames(&here.0.join("w.gif"))?;
+    assert_eq!((frames.len(), delays), (4, vec![100; 4]));
+    Ok(())
+}
+
+#[test]
+fn a_frame_that_cannot_be_is_named() -> Outcome {
+    let here = Directory::new("vanishing")?;
+    let scene = r#"
+[camera]
+eye = [0, 1, 8]
+look_at = [0, 1, 0]
+fovy_deg = 33
+[animation]
+duration = 1
+[[animation.tracks]]
+target = "camera.fovy_deg"
+keys = [[0, 33], [1, 0]]
+"#;
+    fs::write(here.0.join("vanishing.toml"), scene)?;
+    let args = [
+        "animate",
+        "vanishing.toml",
+        "--size",
+        "2x2",
+        "--frames",
+        "2",
+        "-o",
+        "x.gif",
+    ];
+    // A loop never gets to its end.
+    here.ok(&args)?;
+    let once = scene.replace("duration = 1", "duration = 1\nloop = false");
+    fs::write(here.0.join("vanishing.toml"), once)?;
+    let said = here.error(&args)?;
+    let expected = "error: vanishing.toml:11: animation.tracks[0].keys: at 1.000 s, fovy_deg must be from 1 to";
+    assert!(said.starts_with(expected), "{said}");
+    Ok(())
+}
+
 #[test]
 fn bad_input_is_refused() -> Outcome {
     let here = Directory::new("bad")?;
     fs::write(here.0.join("bad.toml"), "colour = 1\n")?;
     fs::write(here.0.join("bad.scene"), [0xff, 0xfe])?;
-    let cases: [(&[&str], &str); 18] = [
+    let cases: [(&[&str], &str); 25] = [
         (
             &["render", "bad.toml"],
             "error: bad.toml:1: colour: a scene has no such key\n  help: ",
@@ -298,6 +651,14 @@ fn bad_input_is_refused() -> Outcome {
             "error: no/x.png: ",
         ),
         (
+            &["render", "whitted", "--display", "ssd1360"],
+            "error: invalid value 'ssd1360' for '--display <NAME>': did you mean `ssd1306`?",
+        ),
+        (
+            &["render", "whitted", "--display", "ssd1306", "--size", "9x9"],
+            "error: the argument '--display <NAME>' cannot be used with '--size <WxH>'",
+        ),
+        (
             &["explain", "whitted", "320", "0"],
             "error: pixel 320 0: outside of the picture of 320x240\n  help: x is from 0 to 319, y",
         ),
@@ -313,6 +674,26 @@ fn bad_input_is_refused() -> Outcome {
             &["gallery", "-o", "bad.toml/x", "whitted"],
             "error: bad.toml/x: cannot be made: ",
         ),
+        (
+            &["animate", "whitted", "-o", "x.mp4"],
+            "error: x.mp4: no known kind of animation\n  help: write FILE.gif, FILE.apng, or DIR/",
+        ),
+        (
+            &["animate", "whitted", "-o", "no/x.gif"],
+            "error: no/x.gif: cannot be written: ",
+        ),
+        (
+            &["animate", "whitted", "-o", "x.gif", "--fps", "0"],
+            "error: invalid value '0' for '--fps <N>': 0 is not in 1..=100\n",
+        ),
+        (
+            &["animate", "bad.scene", "-o", "x.gif"],
+            "error: bad.scene: a compiled scene does not move\n  help: ",
+        ),
+        (
+            &["animate", "whitted", "-o", "x.gif", "--frames", "20000"],
+            "error: the animation would be 20000 frames, of at most 10000\n  help: ",
+        ),
         (&["rendr"], "error: unrecognized subcommand 'rendr'\n"),
     ];
     for (args, expected) in cases {
@@ -325,7 +706,11 @@ fn bad_input_is_refused() -> Outcome {
 #[cfg(not(feature = "window"))]
 #[test]
 fn a_window_needs_its_feature() -> Outcome {
-    let said = Directory::new("view")?.error(&["view"])?;
+    let here = Directory::new("view")?;
+    // Cargo would be asked for it.
+    let output = here.command(&["view"]).env_remove("CARGO").output()?;
+    assert_eq!(output.status.code(), Some(2));
+    let said = String::from_utf8(output.stderr)?;
     assert!(
         said.contains("libsdl2-dev") && said.contains("--features window"),
         "{said}"

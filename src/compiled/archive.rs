@@ -40,6 +40,8 @@ pub(super) struct Reader<'a> {
 }
 
 impl Archive for Reader<'_> {
+    /// Not inlined: there are many fields, and they are read once.
+    #[inline(never)]
     fn bytes<const N: usize>(&mut self, bytes: &mut [u8; N]) {
         if let Some((first, rest)) = self.bytes.split_first_chunk::<N>() {
             (*bytes, self.bytes) = (*first, rest);
@@ -67,7 +69,7 @@ macro_rules! integers {
     )*};
 }
 
-integers!(u8, i8, u16, u32, i64);
+integers!(u8, i8, u16, i32, u32, i64);
 
 /// A number of the `fixed` crate by its bits.
 pub(super) fn fixed<F, const N: usize>(value: &mut F, archive: &mut impl Archive)

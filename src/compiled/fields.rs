@@ -1,12 +1,12 @@
 //! The fields of each item, in the order in which they are stored.
 
-use crate::Axis;
-use crate::prepared::{Camera, Light, Material, Object, Settings};
+use crate::prepared::{Camera, Frame, Light, Material, Object, Settings};
 use crate::shape::{
     Bounds, Cone, Cylinder, Ellipsoid, Form, Paraboloid, Parts, Plane, Quadric, Shape, Sphere,
     Sphereflake,
 };
 use crate::texture::{Checker, Texture};
+use crate::{Axis, scene};
 
 use super::archive::{Archive, Fields, color, fixed, vector};
 
@@ -24,6 +24,21 @@ impl Fields for Settings {
         vector(right, archive);
         vector(up, archive);
         tangent.visit(archive);
+        let scene::Camera {
+            eye,
+            look_at,
+            up,
+            fovy_deg,
+        } = &mut self.authored;
+        vector(eye, archive);
+        vector(look_at, archive);
+        vector(up, archive);
+        fixed(fovy_deg, archive);
+        let Frame { center, exponent } = &mut self.frame;
+        center.x.visit(archive);
+        center.y.visit(archive);
+        center.z.visit(archive);
+        exponent.visit(archive);
         color(&mut self.horizon, archive);
         color(&mut self.zenith, archive);
         self.exposure.visit(archive);

@@ -6,7 +6,10 @@ use fixed::traits::Fixed;
 use fixed::types::{I8F56, U0F32};
 
 use crate::num::{Factor, Length, Unit, wide};
-use crate::prepared::{Camera, Light, MAX_DEPTH, Material, OFFSET_BITS, Object, Settings};
+use crate::prepared::{
+    Camera, FINEST, Frame, Light, MAX_DEPTH, Material, OFFSET_BITS, Object, Settings,
+};
+use crate::ray::NEAR;
 use crate::shape::{Form, MAX_FLAKE_DEPTH, Parts, Quadric, Shape, Sphereflake};
 use crate::texture::Texture;
 use crate::{Color, Vec3};
@@ -50,16 +53,23 @@ impl Settings {
             up,
             tangent,
         } = self.camera;
-        is_within_one(eye)
+        eye.all(|c| c.to_bits().abs() <= NEAR)
             && [forward, right, up].into_iter().all(is_unit)
             && are_square(forward, right)
             && are_square(right, up)
             && are_square(up, forward)
             && (1..12 << 28).contains(&tangent)
+            && self.frame.is_valid()
             && are_factors([self.horizon, self.zenith])
             && self.exposure < 16
             && self.max_depth <= MAX_DEPTH
             && self.min_weight <= Factor::ONE
+    }
+}
+
+impl Frame {
+    fn is_valid(&self) -> bool {
+        self.center.all(|c| c.unsigned_abs() < 1 << 60) && (-32..=FINEST).contains(&self.exponent)
     }
 }
 

@@ -68,7 +68,7 @@ pub(crate) fn min_weight(min_weight: Real) -> Result<Factor, SceneError> {
     Ok(factor(min_weight, 0))
 }
 
-fn camera(camera: &Camera) -> Result<(), SceneError> {
+pub(super) fn camera(camera: &Camera) -> Result<(), SceneError> {
     let item = Item::Camera;
     point(item, "eye", camera.eye)?;
     point(item, "look_at", camera.look_at)?;

@@ -3,19 +3,12 @@
 use fixed::types::U0F32;
 
 use crate::num::{Length, Real, Unit, square_root};
-use crate::prepared::OFFSET_BITS;
+use crate::prepared::{FINEST, Frame, OFFSET_BITS};
+use crate::ray::NEAR;
 use crate::scene::Shape;
 use crate::shape::Sphereflake;
 use crate::vector::bits;
 use crate::{Problem, Scene, Vec3};
-
-/// Where a prepared scene lies in the world: `prepared = (world - center) * 2^exponent`.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Frame {
-    /// In the bits of a [`Real`].
-    pub(super) center: Vec3<i64>,
-    pub(super) exponent: i32,
-}
 
 /// A box around points, in the bits of a [`Real`].
 #[derive(Clone, Copy)]
@@ -200,6 +193,13 @@ impl Frame {
         })
     }
 
+    /// Whether rays may start at a point: [`NEAR`] is 3.5 times as far as all
+    /// that the scale was found for.
+    pub(super) fn is_near(&self, point: Vec3<Real>) -> bool {
+        let way = point.zip(self.center, |p, c| self.length(p.to_bits() - c));
+        way.all(|c| c.abs() <= i64::from(NEAR))
+    }
+
     /// `normal · point`, in the bits of a [`Length`]; `None` if it is beyond
     /// what far points can reach.
     pub(super) fn offset(&self, normal: Vec3<Unit>, point: Vec3<Real>) -> Option<i64> {
@@ -220,9 +220,6 @@ impl Frame {
         Real::from_bits(1 << (14 - self.exponent).clamp(0, 62))
     }
 }
-
-/// The finest scale: a step of a [`Real`] is then one of a [`Length`].
-const FINEST: i32 = 4;
 
 /// `x * 2^shift`, rounded.
 fn shifted(x: i128, shift: i32) -> i128 {

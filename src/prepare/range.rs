@@ -3,9 +3,8 @@
 use fixed::types::U0F32;
 
 use crate::num::Real;
+use crate::prepared::Frame;
 use crate::{Item, Problem, SceneError, Vec3};
-
-use super::frame::Frame;
 
 /// The farthest coordinate, ±2^24: sums and differences keep within [`Real`].
 pub(super) const FARTHEST: Real = Real::lit("16777216");

@@ -3,6 +3,7 @@
 use fixed::types::I8F56;
 
 use crate::num::{Length, Unit};
+use crate::prepared::Frame;
 use crate::scene;
 use crate::shape::{
     Bounds, Cone, Cylinder, Ellipsoid, Form, Paraboloid, Parts, Plane, Quadric, Shape, Sphere,
@@ -11,7 +12,7 @@ use crate::shape::{
 use crate::vector::direction;
 use crate::{Item, Problem, Real, SceneError, Vec3};
 
-use super::frame::{Frame, below_one, cone_radius, paraboloid_ends};
+use super::frame::{below_one, cone_radius, paraboloid_ends};
 use super::range::{self, fail};
 
 pub(super) fn shape(shape: &scene::Shape, frame: &Frame, item: Item) -> Result<Shape, SceneError> {

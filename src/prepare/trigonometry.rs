@@ -5,6 +5,7 @@ use crate::num::{Real, reciprocal, wide};
 /// Steps of 2^-60.
 const ONE: i64 = 1 << 60;
 
+#[inline(never)]
 fn multiply(a: i64, b: i64) -> i64 {
     ((i128::from(a) * i128::from(b)) >> 60) as i64
 }

@@ -139,6 +139,35 @@ pub enum Shape {
 }
 
 impl Shape {
+    /// Where it is.
+    pub(crate) fn position_mut(&mut self) -> &mut Vec3<Real> {
+        match self {
+            Self::Sphere { center, .. }
+            | Self::Ellipsoid { center, .. }
+            | Self::Sphereflake { center, .. } => center,
+            Self::Cylinder { origin, .. }
+            | Self::Cone { origin, .. }
+            | Self::Paraboloid { origin, .. } => origin,
+            Self::Plane { point, .. } => point,
+        }
+    }
+
+    /// Its radius, if it has one.
+    pub(crate) fn radius_mut(&mut self) -> Option<&mut Real> {
+        match self {
+            Self::Sphere { radius, .. }
+            | Self::Cylinder { radius, .. }
+            | Self::Cone { radius, .. }
+            | Self::Sphereflake { radius, .. } => Some(radius),
+            Self::Ellipsoid { .. } | Self::Paraboloid { .. } | Self::Plane { .. } => None,
+        }
+    }
+
+    /// Whether it has a radius.
+    pub(crate) fn has_radius(mut self) -> bool {
+        self.radius_mut().is_some()
+    }
+
     /// The usual ratio of a sphereflake: 1/3.
     pub const FLAKE_RATIO: Real = Real::from_bits(0x5555_5555);
 

@@ -27,6 +27,7 @@ impl Bound {
     pub(crate) fn around(&self, object: u16) -> Around {
         Around {
             center: self.center,
+            radius: self.radius,
             reach: high(self.radius.square().to_bits()) + 4,
             object,
         }
@@ -63,6 +64,7 @@ impl Sight {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Around {
     center: Vec3<Length>,
+    radius: Length,
     /// The square of the radius: Q24, rounded up by what the high words leave out.
     reach: i32,
     /// The object's number.
@@ -70,6 +72,14 @@ pub(crate) struct Around {
 }
 
 impl Around {
+    /// The bound itself.
+    pub(crate) fn bound(&self) -> Bound {
+        Bound {
+            center: self.center,
+            radius: self.radius,
+        }
+    }
+
     /// Whether a ray from a near origin may meet the shape ahead.
     #[inline(always)]
     pub(crate) fn may_meet(&self, origin: Vec3<Length>, direction: Vec3<Unit>) -> bool {

@@ -59,12 +59,23 @@ pub const PRODUCTS: Firmware = Firmware {
     features: "",
 };
 
+/// Draws frames of a scene that moves, for each kind of core.
+pub const MOTION: [Firmware; 4] = [motion(V6M), motion(V7M), motion(V7EM), motion(V8M)];
+
 /// The yardstick in floating point, for each kind of core.
 pub const FLOAT: [Firmware; 4] = [float(V6M), float(V7M), float(V7EM), float(V8M)];
 
 pub(crate) const fn headless(target: &'static str) -> Firmware {
     Firmware {
         package: "headless",
+        target,
+        features: "",
+    }
+}
+
+const fn motion(target: &'static str) -> Firmware {
+    Firmware {
+        package: "motion",
         target,
         features: "",
     }

@@ -3,8 +3,12 @@
 //! A library, so that the tests in QEMU can build and run firmware with it.
 
 pub mod bench;
+pub mod board;
 pub mod firmware;
 pub mod model;
+pub mod netduinoplus2;
+pub mod oled;
+pub mod pico;
 pub mod povray;
 pub mod profile;
 pub mod prove;

@@ -6,18 +6,22 @@ use std::process::ExitCode;
 use anyhow::{Result, bail};
 use lexopt::prelude::*;
 use xtask::qemu::{Arithmetic, Core, Machine};
-use xtask::{bench, firmware, model, povray, profile, prove, qemu, size, test, tidy};
+use xtask::{bench, board, firmware, model, oled, pico, povray, profile, prove, size, test, tidy};
 
 const HELP: &str = "\
 cargo xtask TASK
 
   test [STEP...]        All checks and tests, or the steps whose names contain one
-                        of these words. Installs the tools that are missing.
+                        of these words. Installs the tools that are missing. The
+                        steps `boards` and `pico`, firmware for displays in
+                        emulators, build long and run by name only.
   prove [PROMISE...]    What firmware relies on, proven as far as can be; or the promises
                         whose names contain one of these words. Writes docs/trust.md.
   qemu [SCENE] [--shot FILE.png] [--window]
                         Draws a scene on the OLED of the LM3S6965 board, in QEMU;
-                        takes a screenshot, or shows the display in a window.
+                        takes a screenshot, or shows the display in a window, where
+                        arrow keys move the camera and left Ctrl, unless there is
+                        but one, shows the next scene.
   headless SCENE [--size WxH] [--core m0|m3|m4f|m7|m33] [--float]
                         Draws a scene on a core, in QEMU, and prints what it took;
                         in floating point for comparison.
@@ -31,8 +35,16 @@ cargo xtask TASK
                         pictures take; writes sim/cost.toml and docs/cost-model.md.
   profile SCENE [--core CORE] [--size WxH]
                         Where the instructions of a frame go, by function and line.
+  pico [SCENE] [--shot FILE.png]
+                        Draws a scene with the firmware of the Raspberry Pi Pico, in
+                        rp2040js, and says its cycles; without one, compares pictures with
+                        the host's, and cycles with the budget.
+  pico --bless          Makes what pictures take now the budget.
+  uf2 [SCENE...]        Builds that firmware, to be dropped on a Pico in boot mode.
   povray [--depth N]    Times POV-Ray, where it is installed, and `cargo sim render` on
                         the sphereflake of this depth; 6 unless told.
+  boards                Builds the firmware of all boards with displays and fails where
+                        one takes more flash than its budget.
   size                  Flash and RAM of each firmware.
   tidy                  Checks the rules of the source code.
 ";
@@ -62,7 +74,10 @@ fn task() -> Result<()> {
         "bench" => bench(&options),
         "fit" => model::run(),
         "profile" => profile(&options),
+        "pico" => pico(&options),
+        "uf2" => pico::uf2(&options.scenes()?),
         "povray" => povray::run(options.depth),
+        "boards" => board::build_all(),
         "size" => size::print(),
         "tidy" => tidy::run(),
         _ => {
@@ -75,9 +90,9 @@ fn task() -> Result<()> {
 fn on_the_oled(options: &Options) -> Result<()> {
     let elf = firmware::LM3S6965EVB.build(options.scene()?.as_deref())?;
     if options.window {
-        return qemu::show(&elf);
+        return oled::show(&elf);
     }
-    let report = qemu::draw_on_oled(&elf, options.shot.as_deref())?;
+    let report = oled::draw(&elf, options.shot.as_deref())?;
     print!("{report}");
     report.result().map(drop)
 }
@@ -93,6 +108,14 @@ fn headless(options: &Options) -> Result<()> {
     let report = machine.draw(&elf, &compiled, size)?;
     print!("{report}");
     report.result().map(drop)
+}
+
+fn pico(options: &Options) -> Result<()> {
+    match options.scene()? {
+        Some(scene) => pico::draw(&scene, options.shot.as_deref()),
+        None if options.bless => pico::bless(),
+        None => pico::check(),
+    }
 }
 
 fn bench(options: &Options) -> Result<()> {
@@ -170,15 +193,19 @@ impl Options {
         Ok(options)
     }
 
-    /// The scene, which is named relative to where the person is.
+    /// The scene.
     fn scene(&self) -> Result<Option<PathBuf>> {
-        match self.values.as_slice() {
-            [] => Ok(None),
-            [scene] => Ok(Some(
-                std::fs::canonicalize(scene)
-                    .map_err(|error| anyhow::anyhow!("{scene}: {error}"))?,
-            )),
-            [_, other, ..] => bail!("one scene at a time, not {other} too"),
+        if let [_, other, ..] = self.values.as_slice() {
+            bail!("one scene at a time, not {other} too");
         }
+        Ok(self.scenes()?.pop())
+    }
+
+    /// The scenes, which are named relative to where the person is.
+    fn scenes(&self) -> Result<Vec<PathBuf>> {
+        let found = |scene: &String| {
+            std::fs::canonicalize(scene).map_err(|error| anyhow::anyhow!("{scene}: {error}"))
+        };
+        self.values.iter().map(found).collect()
     }
 }

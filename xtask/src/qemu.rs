@@ -1,19 +1,17 @@
 //! Running firmware in QEMU.
 
-use std::io::{BufRead, BufReader, Read};
+use std::io::{self, BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
-use std::process::{self, Child, Command, Stdio};
+use std::process::{Child, Command, Stdio};
 use std::str::FromStr;
-use std::sync::atomic::{AtomicU32, Ordering};
-use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::time::{Duration, Instant};
-use std::{env, fmt, fs, thread};
+use std::{fmt, fs, thread};
 
 use anyhow::{Context, Result, bail};
 
-use crate::command::{command, run};
+use crate::command::command;
 use crate::firmware::{self, Firmware, V6M, V7EM, V7M, V8M};
-use crate::qmp::Monitor;
 use crate::report::Report;
 use crate::scratch_dir;
 
@@ -23,7 +21,7 @@ pub(crate) const QEMU: &str = "qemu-system-arm";
 /// Firmware that takes longer hangs.
 const PATIENCE: Duration = Duration::from_secs(300);
 
-/// The line after which the picture on the OLED is complete.
+/// The line after which a picture is complete.
 const END: &str = "end";
 
 /// A core that the headless firmware runs on.
@@ -172,38 +170,8 @@ impl Arithmetic {
     }
 }
 
-/// Runs the OLED board's firmware until its picture is complete. The file for
-/// the screenshot is PNG by its name, else PPM.
-pub fn draw_on_oled(elf: &Path, screenshot: Option<&Path>) -> Result<Report> {
-    static COUNT: AtomicU32 = AtomicU32::new(0);
-    // Not in the target directory, as a socket's path must be short.
-    let count = COUNT.fetch_add(1, Ordering::Relaxed);
-    let socket = env::temp_dir().join(format!("whitted-{}-{count}.qmp", process::id()));
-
-    let mut qemu = firmware_in("lm3s6965evb", elf);
-    qemu.args(["-display", "none", "-serial", "stdio", "-qmp"]);
-    qemu.arg(format!("unix:{},server=on,wait=off", socket.display()));
-    let mut running = Running::start(qemu)?;
-    let report = running.report()?;
-
-    let mut monitor = Monitor::connect(&socket)?;
-    if let Some(file) = screenshot {
-        monitor.screendump(file)?;
-    }
-    monitor.quit()?;
-    _ = running.qemu.wait();
-    _ = fs::remove_file(&socket);
-    Ok(report)
-}
-
-/// Runs the OLED board's firmware with the display in a window, until a person
-/// closes it.
-pub fn show(elf: &Path) -> Result<()> {
-    run(firmware_in("lm3s6965evb", elf).args(["-serial", "stdio"]))
-}
-
 /// QEMU with a clock that counts instructions: each takes a nanosecond.
-fn firmware_in(machine: &str, elf: &Path) -> Command {
+pub(crate) fn firmware_in(machine: &str, elf: &Path) -> Command {
     let mut qemu = command(QEMU);
     qemu.args(["-machine", machine, "-icount", "shift=0", "-nodefaults"]);
     qemu.arg("-kernel").arg(elf);
@@ -211,8 +179,10 @@ fn firmware_in(machine: &str, elf: &Path) -> Command {
 }
 
 /// A QEMU that ends with this value at the latest.
-struct Running {
+pub(crate) struct Running {
     qemu: Child,
+    /// What it prints.
+    lines: Receiver<io::Result<String>>,
 }
 
 impl Drop for Running {
@@ -223,19 +193,14 @@ impl Drop for Running {
 }
 
 impl Running {
-    fn start(mut command: Command) -> Result<Self> {
+    pub(crate) fn start(mut command: Command) -> Result<Self> {
         command.stdin(Stdio::null());
         command.stdout(Stdio::piped()).stderr(Stdio::piped());
-        let qemu = command
+        let mut qemu = command
             .spawn()
             .with_context(|| format!("{QEMU} does not start"))?;
-        Ok(Self { qemu })
-    }
-
-    /// What the firmware prints until it says that this is the end, or QEMU ends.
-    fn report(&mut self) -> Result<Report> {
-        let output = self.qemu.stdout.take().context("a report is read once")?;
-        let (sender, receiver) = channel();
+        let output = qemu.stdout.take().context("QEMU prints nowhere")?;
+        let (sender, lines) = channel();
         // In a thread, as reading has no timeout. It ends with QEMU.
         thread::spawn(move || {
             for line in BufReader::new(output).lines() {
@@ -244,10 +209,16 @@ impl Running {
                 }
             }
         });
+        Ok(Self { qemu, lines })
+    }
+
+    /// What the firmware prints until it says that this is the end, or QEMU ends.
+    pub(crate) fn report(&mut self) -> Result<Report> {
         let deadline = Instant::now() + PATIENCE;
         let mut lines = Vec::new();
         loop {
-            match receiver.recv_timeout(deadline.saturating_duration_since(Instant::now())) {
+            let left = deadline.saturating_duration_since(Instant::now());
+            match self.lines.recv_timeout(left) {
                 Ok(line) => match line?.trim_end() {
                     END => return Ok(Report::new(lines)),
                     line => lines.push(line.to_owned()),

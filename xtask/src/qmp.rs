@@ -33,9 +33,17 @@ impl Monitor {
         ))
     }
 
-    /// Ends QEMU.
-    pub(crate) fn quit(&mut self) -> Result<()> {
-        self.execute(r#"{"execute": "quit"}"#)
+    /// Presses keys or lets them go, all at once.
+    pub(crate) fn send_keys(&mut self, keys: &[&str], down: bool) -> Result<()> {
+        let event = |key: &&str| {
+            let key = format!(r#"{{"type": "qcode", "data": "{key}"}}"#);
+            format!(r#"{{"type": "key", "data": {{"down": {down}, "key": {key}}}}}"#)
+        };
+        let events: Vec<_> = keys.iter().map(event).collect();
+        self.execute(&format!(
+            r#"{{"execute": "input-send-event", "arguments": {{"events": [{}]}}}}"#,
+            events.join(", ")
+        ))
     }
 
     fn execute(&mut self, command: &str) -> Result<()> {

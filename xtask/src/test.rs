@@ -2,13 +2,13 @@
 
 use anyhow::Result;
 
-use crate::command::{self, cargo};
-use crate::firmware::{FLOAT, HEADLESS, LM3S6965EVB, PRODUCTS, V6M, V7M, nopanic};
+use crate::command::{self, cargo, command};
+use crate::firmware::{V6M, V7M};
 use crate::prove::panics;
 use crate::steps::{self, Step};
-use crate::{bench, tidy, tools};
+use crate::{bench, board, pico, tidy, tools};
 
-const STEPS: [Step; 10] = [
+const STEPS: [Step; 11] = [
     ("tools", tools::install),
     ("format", format),
     ("tidy", tidy::run),
@@ -16,43 +16,61 @@ const STEPS: [Step; 10] = [
     ("clippy-thumb", clippy_thumb),
     ("docs", docs),
     ("test-host", test_host),
+    ("test-window", test_window),
     ("nopanic", panics::link_all),
     ("test-qemu", test_qemu),
     ("budget", bench::check),
 ];
 
-/// Runs the steps whose names contain one of the words, or all.
+/// Run only if they are named: what boards are made of takes longer to build than
+/// all else.
+const BOARD_STEPS: [Step; 2] = [("boards", test_boards), ("pico", pico::check)];
+
+/// Runs the steps whose names contain one of the words, or all but those of
+/// boards.
 pub fn run(words: &[String]) -> Result<()> {
-    steps::run(&STEPS, words)
+    if words.is_empty() {
+        return steps::run(&STEPS, words);
+    }
+    let all: Vec<Step> = STEPS.into_iter().chain(BOARD_STEPS).collect();
+    steps::run(&all, words)
 }
 
 fn format() -> Result<()> {
-    command::run(cargo().args(["fmt", "--all", "--check"]))
+    command::run(cargo().args(["fmt", "--all", "--check"]))?;
+    board::all().try_for_each(|board| {
+        let mut fmt = cargo();
+        command::run(fmt.current_dir(board.folder()).args(["fmt", "--check"]))
+    })
 }
 
-/// What runs on the host, tests and examples included.
+/// All that runs on the host is built with windows, once for all steps.
+const WINDOW: [&str; 2] = ["--features", "whitted-sim/window"];
+
+/// What runs on the host, tests and examples included, and the simulator as it
+/// is without windows.
 fn clippy_host() -> Result<()> {
-    command::run(cargo().args(["clippy", "--quiet", "--all-targets", "--", "-D", "warnings"]))
+    for what in [
+        &["--all-targets", WINDOW[0], WINDOW[1]][..],
+        &["--bin", "sim"],
+    ] {
+        let mut clippy = cargo();
+        clippy.args(["clippy", "--quiet"]).args(what);
+        command::run(clippy.args(["--", "-D", "warnings"]))?;
+    }
+    Ok(())
 }
 
 /// The library where there is no standard library and the fewest instructions,
 /// and the firmware.
 fn clippy_thumb() -> Result<()> {
-    let firmware = [LM3S6965EVB, PRODUCTS, nopanic(V7M)]
-        .into_iter()
-        .chain(HEADLESS)
-        .chain(FLOAT);
-    let packages = firmware.map(|firmware| (firmware.package, firmware.target));
-    for (package, target) in [("whitted", V6M)].into_iter().chain(packages) {
+    let packages = ["float", "headless", "lm3s6965evb", "motion", "nopanic"];
+    for (target, packages) in [(V6M, &["whitted", "products"][..]), (V7M, &packages)] {
         let mut clippy = cargo();
-        clippy.args([
-            "clippy",
-            "--quiet",
-            "--package",
-            package,
-            "--target",
-            target,
-        ]);
+        clippy.args(["clippy", "--quiet", "--target", target]);
+        for package in packages {
+            clippy.args(["--package", package]);
+        }
         command::run(clippy.args(["--", "-D", "warnings"]))?;
     }
     Ok(())
@@ -60,12 +78,32 @@ fn clippy_thumb() -> Result<()> {
 
 fn docs() -> Result<()> {
     let mut doc = cargo();
-    doc.args(["doc", "--quiet", "--no-deps"]);
+    doc.args(["doc", "--quiet", "--no-deps"]).args(WINDOW);
     command::run(doc.env("RUSTDOCFLAGS", "-D warnings"))
 }
 
 fn test_host() -> Result<()> {
-    command::run(cargo().args(["test", "--quiet", "--no-fail-fast"]))
+    command::run(
+        cargo()
+            .args(["test", "--quiet", "--no-fail-fast"])
+            .args(WINDOW),
+    )
+}
+
+/// On an X screen that nobody sees.
+fn test_window() -> Result<()> {
+    let mut xvfb = command("xvfb-run");
+    xvfb.args(["--auto-servernum", "--server-args", "-screen 0 800x700x24"]);
+    xvfb.arg(cargo().get_program());
+    command::run(
+        xvfb.args(["test", "--quiet", "--test", "window"])
+            .args(WINDOW),
+    )
+}
+
+/// What boards with displays show, in emulators.
+fn test_boards() -> Result<()> {
+    command::run(cargo().args(["test", "--quiet", "--package", "xtask", "--test", "boards"]))
 }
 
 fn test_qemu() -> Result<()> {

@@ -6,12 +6,18 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, ensure};
 use embedded_graphics::pixelcolor::Gray4;
 use embedded_graphics::prelude::*;
-use whitted::Renderer;
+use whitted::{Camera, PreparedScene, Real, Renderer, Stage};
 use whitted_sim::cost::{Model, Work};
-use whitted_sim::{render, scene_file};
-use xtask::firmware::{LM3S6965EVB, PRODUCTS};
-use xtask::qemu::{self, Arithmetic, Core, Machine};
+use whitted_sim::render;
+use whitted_sim::scene_file::{self, SceneFile};
+use xtask::firmware::{LM3S6965EVB, MOTION, PRODUCTS};
+use xtask::oled::{self, Button, Oled};
+use xtask::qemu::{Arithmetic, Core, Machine};
+use xtask::report::Report;
 use xtask::{root, scratch_dir};
+
+#[path = "../../boards/motion/src/scene.rs"]
+mod moving;
 
 const OLED: Size = Size::new(128, 64);
 /// QEMU shows each pixel of the OLED as a square of so many.
@@ -37,19 +43,35 @@ fn checksum(scene: &Path, size: Size) -> Result<String> {
     Ok(format!("{:08x}", render::checksum(&picture)))
 }
 
-/// The simulator's picture for the OLED, as gray levels.
-fn simulated(scene: &Path) -> Result<Vec<u8>> {
+/// The simulator's picture of a scene for the OLED.
+fn simulated(scene: &Path) -> Result<Picture> {
     let file = scene_file::load(scene)?;
     let mut buffer = Box::new(scene_file::Buffer::new());
-    let scene = file.prepare(&mut buffer)?;
-    let mut renderer = Renderer::new(&scene, OLED);
-    let mut line = [Gray4::BLACK; OLED.width as usize];
-    let mut levels = Vec::new();
-    for y in 0..OLED.height {
-        renderer.render_line(y, &mut line);
-        levels.extend(line.map(|gray| gray.luma()));
+    Ok(Picture::of(&file.prepare(&mut buffer)?))
+}
+
+/// A picture on the OLED.
+#[derive(PartialEq)]
+struct Picture {
+    levels: Vec<u8>,
+    /// Of its linear colors, as the firmware reports it.
+    checksum: String,
+}
+
+impl Picture {
+    /// The library's picture of a scene.
+    fn of(scene: &PreparedScene<'_>) -> Self {
+        let mut renderer = Renderer::new(scene, OLED);
+        let mut line = [Gray4::BLACK; OLED.width as usize];
+        let mut levels = Vec::new();
+        for y in 0..OLED.height {
+            renderer.render_line(y, &mut line);
+            levels.extend(line.map(|gray| gray.luma()));
+        }
+        let picture = render::linear(scene, OLED);
+        let checksum = format!("{:08x}", render::checksum(&picture));
+        Self { levels, checksum }
     }
-    Ok(levels)
 }
 
 /// The OLED's picture in a screenshot, as gray levels.
@@ -93,14 +115,15 @@ fn is_drawn_on_the_oled(scene: &Path) -> Result<()> {
     let elf = LM3S6965EVB.build(Some(scene))?;
     let name = scene.file_stem().unwrap_or_default().display().to_string();
     let shot = screenshot(&name)?;
-    let report = qemu::draw_on_oled(&elf, Some(&shot))?;
+    let report = oled::draw(&elf, Some(&shot))?;
     report.result()?;
     print!("{name}\n{report}");
+    let simulated = simulated(scene)?;
     assert!(
-        shown(&shot)? == simulated(scene)?,
+        shown(&shot)? == simulated.levels,
         "{name}: the OLED shows another picture"
     );
-    assert_eq!(report.get("checksum")?, checksum(scene, OLED)?, "{name}");
+    assert_eq!(report.get("checksum")?, simulated.checksum, "{name}");
     Ok(())
 }
 
@@ -112,11 +135,90 @@ fn the_oled_shows_what_the_simulator_draws() -> Result<()> {
     Ok(())
 }
 
+/// A scene that the firmware shows, and where its camera is.
+struct Shown {
+    file: SceneFile,
+    camera: Camera,
+}
+
+impl Shown {
+    fn new(name: &str) -> Result<Self> {
+        let file = scene_file::load(root().join("scenes").join(name).with_extension("toml"))?;
+        let camera = file.settings.camera;
+        Ok(Self { file, camera })
+    }
+
+    /// Does what a press of an arrow button does.
+    fn press(&mut self, button: Button) {
+        let [right, up] = match button {
+            Button::Up => [0, 15],
+            Button::Down => [0, -15],
+            Button::Left => [-15, 0],
+            Button::Right => [15, 0],
+            Button::Select => [0, 0],
+        };
+        self.camera = self
+            .camera
+            .orbited(Real::from_num(right), Real::from_num(up));
+    }
+
+    /// Whether the OLED shows it, as it is reported.
+    fn is_on(&self, oled: &mut Oled, report: &Report) -> Result<()> {
+        let mut buffer = Box::new(scene_file::Buffer::new());
+        let mut scene = self.file.prepare(&mut buffer)?;
+        scene.set_camera(&self.camera)?;
+        let expected = Picture::of(&scene);
+        assert_eq!(report.get("checksum")?, expected.checksum);
+        let shot = screenshot("buttons")?;
+        oled.screenshot(&shot)?;
+        assert!(
+            shown(&shot)? == expected.levels,
+            "the OLED shows another picture"
+        );
+        Ok(())
+    }
+}
+
+#[test]
+fn buttons_move_the_camera_and_switch_scenes() -> Result<()> {
+    use Button::{Down, Left, Right, Select, Up};
+    let (mut oled, report) = Oled::start(&LM3S6965EVB.build(None)?)?;
+    let mut shown = Shown::new("whitted")?;
+    shown.is_on(&mut oled, &report)?;
+    for button in [Left, Up, Right, Right, Right, Down, Down, Left] {
+        let report = oled.press(&[button])?;
+        shown.press(button);
+        shown.is_on(&mut oled, &report)?;
+    }
+    // The second interrupts the picture that the first began: there is but one
+    // that is completed.
+    let report = oled.press(&[Up, Left])?;
+    shown.press(Up);
+    shown.press(Left);
+    shown.is_on(&mut oled, &report)?;
+
+    for name in [
+        "four_spheres",
+        "every_surface",
+        "sphereflake",
+        "tinted_diamond",
+        "whitted",
+    ] {
+        let report = oled.press(&[Select])?;
+        let mut shown = Shown::new(name)?;
+        shown.is_on(&mut oled, &report)?;
+        let report = oled.press(&[Right])?;
+        shown.press(Right);
+        shown.is_on(&mut oled, &report)?;
+    }
+    Ok(())
+}
+
 /// What the project promises at 128x64 on the M3: bytes of RAM beside the
 /// display driver's framebuffer and the stack, and of stack.
 fn stays_small(scene: &str, most_ram: usize, most_stack: usize) -> Result<()> {
     let scene = root().join("scenes").join(scene).with_extension("toml");
-    let report = qemu::draw_on_oled(&LM3S6965EVB.build(Some(&scene))?, None)?;
+    let report = oled::draw(&LM3S6965EVB.build(Some(&scene))?, None)?;
     let ram = report.number("statics")? - report.number("framebuffer")?;
     assert!(ram <= most_ram as u64, "{ram} bytes of RAM");
     assert!(report.number("stack")? <= most_stack as u64, "{report}");
@@ -144,7 +246,7 @@ fn a_broken_scene_is_told_on_display_and_uart() -> Result<()> {
     fs::write(&broken, bytes)?;
 
     let shot = screenshot("broken")?;
-    let report = qemu::draw_on_oled(&LM3S6965EVB.build(Some(&broken))?, Some(&shot))?;
+    let report = oled::draw(&LM3S6965EVB.build(Some(&broken))?, Some(&shot))?;
     assert_eq!(report.get("error")?, "damaged: wrong checksum");
     let lit = shown(&shot)?.iter().filter(|level| **level == 15).count();
     assert!((200..2000).contains(&lit), "{lit} pixels of text");
@@ -183,6 +285,32 @@ fn every_core_draws_the_same_pictures() -> Result<()> {
                 "{} on {core:?}",
                 scene.display()
             );
+        }
+    }
+    Ok(())
+}
+
+/// Key frames from statics, evaluated on the core: orbits by floats in software
+/// and in hardware.
+#[test]
+fn every_core_moves_alike() -> Result<()> {
+    let [width, height] = moving::SIZE;
+    let mut stage = Box::new(Stage::<5, 1>::new());
+    let mut buffer = Box::new(scene_file::Buffer::new());
+    let mut expected = Vec::new();
+    for time in moving::TIMES {
+        let frame = stage.frame(&moving::SCENE, &moving::ANIMATION, time)?;
+        let picture = render::linear(&buffer.prepare(&frame)?, Size::new(width, height));
+        expected.push(format!("{:08x}", render::checksum(&picture)));
+    }
+    let cores = [Core::M0, Core::M3, Core::M4f, Core::M33];
+    for (core, firmware) in cores.into_iter().zip(MOTION) {
+        let report = Machine::of(core).run(&firmware.build(None)?)?;
+        report.result()?;
+        println!("{core:?}\n{report}");
+        for (frame, expected) in expected.iter().enumerate() {
+            let key = format!("checksum {frame}");
+            assert_eq!(report.get(&key)?, expected, "frame {frame} on {core:?}");
         }
     }
     Ok(())

@@ -2,6 +2,7 @@ use cortex_m::peripheral::Peripherals;
 use embedded_hal::digital::OutputPin;
 use measure::Stopwatch;
 
+use crate::buttons::Buttons;
 use crate::gpio::{Output, Port};
 use crate::pl022::Pl022;
 use crate::register::Registers;
@@ -18,6 +19,8 @@ const SYSTEM_CONTROL: Registers = unsafe { Registers::at(0x400F_E000) };
 const PORT_A: Port = Port::new(unsafe { Registers::at(0x4000_4000) });
 const PORT_C: Port = Port::new(unsafe { Registers::at(0x4000_6000) });
 const PORT_D: Port = Port::new(unsafe { Registers::at(0x4000_7000) });
+const PORT_E: Port = Port::new(unsafe { Registers::at(0x4002_4000) });
+const PORT_F: Port = Port::new(unsafe { Registers::at(0x4002_5000) });
 const SSI_0: Registers = unsafe { Registers::at(0x4000_8000) };
 const UART_0: Registers = unsafe { Registers::at(0x4000_C000) };
 
@@ -29,14 +32,15 @@ pub(crate) struct Board {
     pub(crate) oled: Ssd0323<'static, Pl022, Output>,
     pub(crate) uart: Uart,
     pub(crate) stopwatch: Stopwatch,
+    pub(crate) buttons: Buttons,
 }
 
 impl Board {
     /// Sets the board up; to be called once.
     pub(crate) fn new(pixels: &'static mut Pixels) -> Self {
-        // SSI 0 and UART 0; ports A, C and D.
+        // SSI 0 and UART 0; ports A and C to F.
         SYSTEM_CONTROL.set(CLOCK_GATES_1, 1 << 4 | 1);
-        SYSTEM_CONTROL.set(CLOCK_GATES_2, 1 << 3 | 1 << 2 | 1);
+        SYSTEM_CONTROL.set(CLOCK_GATES_2, 0b11_1101);
         // The clocks take three cycles to arrive.
         cortex_m::asm::delay(8);
 
@@ -48,12 +52,16 @@ impl Board {
         let spi = Pl022::new(SSI_0, 4);
         let Ok(oled) = Ssd0323::new(spi, PORT_C.output(7), pixels);
 
+        // Up, down, left, right; select.
+        let buttons = Buttons::new(PORT_E.buttons(0b1111), PORT_F.buttons(0b10));
+
         // SAFETY: this is called once, and nothing else uses the core's peripherals.
         let core = unsafe { Peripherals::steal() };
         Self {
             oled,
             uart: Uart::new(UART_0),
             stopwatch: Stopwatch::new(core.SYST, NANOSECONDS_PER_CLOCK),
+            buttons,
         }
     }
 }

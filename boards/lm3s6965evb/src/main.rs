@@ -1,13 +1,15 @@
-//! Draws a scene on the OLED of the LM3S6965 evaluation board.
+//! Draws scenes on the OLED of the LM3S6965 evaluation board: the arrow buttons
+//! move the camera around what it looks at, the select button shows the next
+//! scene.
 //!
-//! The scene is compiled on the host and lies in flash; see `build.rs`.
+//! The scenes are compiled on the host and lie in flash; see `build.rs`.
 
 #![no_std]
 #![no_main]
 
 mod board;
+mod buttons;
 mod gpio;
-mod page;
 mod panic;
 mod pl022;
 mod register;
@@ -17,52 +19,93 @@ mod uart;
 use core::fmt::Write;
 
 use cortex_m_rt::entry;
-use embedded_graphics::prelude::OriginDimensions;
-use whitted::{Renderer, SceneBuffer};
+use embedded_graphics::{mono_font::ascii::FONT_5X8, prelude::*};
+use measure::{Checksum, Report};
+use whitted::{DecodeError, Drawing, PreparedScene, Real, Renderer, SceneBuffer, Step};
 
 use board::Board;
-use page::Page;
+use buttons::Button;
 
-/// The scene, compiled.
-static SCENE: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/scene.bin"));
-const COUNTS: [usize; 3] = whitted::counts(SCENE);
+// The compiled scenes: `static SCENES: [&[u8]; N]`; and `const COUNTS`, the room
+// that any of them takes.
+include!(concat!(env!("OUT_DIR"), "/scenes.rs"));
+
+/// How far a press of an arrow button goes, in degrees.
+const TURN: Real = Real::lit("15");
 
 #[entry]
 fn main() -> ! {
-    // Room for the scene, and the display driver's copy of its pixels.
+    // Room for a scene, and the display driver's copy of its pixels.
     static mut BUFFER: SceneBuffer<{ COUNTS[0] }, { COUNTS[1] }, { COUNTS[2] }> =
         SceneBuffer::new();
     static mut PIXELS: ssd0323::Pixels = ssd0323::BLACK;
 
-    let Board {
-        mut oled,
-        mut uart,
-        mut stopwatch,
-    } = Board::new(PIXELS);
-
-    // The UART cannot fail, so what `write!` returns says nothing.
-    _ = match BUFFER.decode(SCENE) {
-        Ok(scene) => {
-            let mut renderer = Renderer::new(&scene, oled.size());
-            let Ok(report) = measure::draw(&mut renderer, &mut oled, &mut stopwatch);
-            writeln!(
-                uart,
-                "{report}framebuffer: {}",
-                size_of::<ssd0323::Pixels>()
-            )
-        }
-        Err(error) => {
-            _ = write!(
-                Page::new(&mut oled),
-                "The scene in flash cannot be drawn: {error}."
-            );
-            writeln!(uart, "error: {error}")
-        }
-    };
-    _ = writeln!(uart, "{}", measure::END);
-
-    // The picture stays on the display.
+    let mut board = Board::new(PIXELS);
     loop {
-        cortex_m::asm::wfi();
+        for scene in SCENES {
+            match BUFFER.decode(scene) {
+                Ok(mut scene) => show(&mut scene, &mut board),
+                Err(error) => complain(error, &mut board),
+            }
+        }
     }
+}
+
+/// Shows a scene from wherever the arrow buttons lead, until the select button
+/// is pressed.
+fn show(scene: &mut PreparedScene<'_>, board: &mut Board) {
+    loop {
+        match draw(scene, board) {
+            Button::Up => orbit(scene, Real::ZERO, TURN),
+            Button::Down => orbit(scene, Real::ZERO, -TURN),
+            Button::Left => orbit(scene, -TURN, Real::ZERO),
+            Button::Right => orbit(scene, TURN, Real::ZERO),
+            Button::Select => return,
+        }
+    }
+}
+
+/// Moves the camera around what it looks at.
+#[inline(never)] // else its variables would take stack while a picture is drawn
+fn orbit(scene: &mut PreparedScene<'_>, yaw: Real, pitch: Real) {
+    let camera = scene.camera().orbited(yaw, pitch);
+    // Where it cannot go, it stays.
+    _ = scene.set_camera(&camera);
+}
+
+/// Draws a picture, the whole of it at once, then in ever more detail, and tells
+/// about it on the UART; until a button is pressed.
+fn draw(scene: &PreparedScene<'_>, board: &mut Board) -> Button {
+    let mut renderer = Renderer::new(scene, board.oled.size());
+    let mut drawing = Drawing::progressive(board.oled.bounding_box());
+    let mut checksum = Checksum::default();
+    board.stopwatch.restart();
+    loop {
+        if let Some(button) = board.buttons.pressed() {
+            return button;
+        }
+        if !drawing.is_complete() {
+            let Ok(()) = renderer.step(&mut drawing, Step::Line, &mut board.oled);
+            board.stopwatch.lap();
+        } else if let Some(checksum) = checksum.line(&mut renderer) {
+            let report = Report::new(renderer.size(), &board.stopwatch).with_checksum(checksum);
+            let framebuffer = size_of::<ssd0323::Pixels>();
+            // The UART cannot fail, so what `write!` returns says nothing.
+            _ = write!(
+                board.uart,
+                "{report}framebuffer: {framebuffer}\n{}\n",
+                measure::END
+            );
+            return board.buttons.wait();
+        }
+    }
+}
+
+/// Tells why a scene cannot be drawn, until the select button is pressed.
+#[inline(never)] // as above
+fn complain(error: DecodeError, board: &mut Board) {
+    let text = format_args!("The scene in flash cannot be drawn: {error}.");
+    _ = page::write(&mut board.oled, &FONT_5X8, text);
+    _ = write!(board.uart, "error: {error}\n{}\n", measure::END);
+    while !matches!(board.buttons.wait(), Button::Select) {}
 }

@@ -1,9 +1,9 @@
 use core::fmt;
 
 use embedded_graphics_core::prelude::{DrawTarget, Size};
-use whitted::{Color, Crc32, Pixel, Renderer};
+use whitted::{Pixel, Renderer};
 
-use crate::{Stopwatch, memory};
+use crate::{Checksum, Stopwatch, memory};
 
 /// What there is to tell about a frame and the firmware that drew it.
 pub struct Report {
@@ -22,6 +22,14 @@ impl Report {
             instructions: stopwatch.instructions(),
             stack: memory::peak_stack(),
             checksum: None,
+        }
+    }
+
+    /// With a checksum of the frame.
+    pub fn with_checksum(self, checksum: u32) -> Self {
+        Self {
+            checksum: Some(checksum),
+            ..self
         }
     }
 }
@@ -46,23 +54,19 @@ where
         stopwatch.lap();
     }
     let report = Report::new(size, stopwatch);
-    Ok(Report {
-        checksum: Some(checksum(renderer)),
-        ..report
-    })
+    Ok(report.with_checksum(checksum(renderer)))
 }
 
-/// CRC-32 of the frame's 16-bit linear samples, row by row. A function of its
-/// own, as its start tells `cargo xtask profile` that the frame is drawn.
+/// Traces the frame for its checksum. A function of its own, as its start tells
+/// `cargo xtask profile` that the frame is drawn.
 #[inline(never)]
 fn checksum(renderer: &mut Renderer<'_>) -> u32 {
-    let mut crc = Crc32::new();
-    for y in 0..renderer.size().height {
-        for pixel in renderer.line(y) {
-            crc.update_pixel(Color::<u16>::from_linear(pixel));
+    let mut checksum = Checksum::default();
+    loop {
+        if let Some(checksum) = checksum.line(renderer) {
+            return checksum;
         }
     }
-    crc.finish()
 }
 
 impl fmt::Display for Report {

@@ -6,10 +6,12 @@
 
 #![no_std]
 
+mod checksum;
 mod frame;
 mod memory;
 mod stopwatch;
 
+pub use checksum::Checksum;
 pub use frame::{Report, draw};
 pub use stopwatch::Stopwatch;
 

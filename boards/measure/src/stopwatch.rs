@@ -32,6 +32,12 @@ impl Stopwatch {
         }
     }
 
+    /// Begins anew.
+    pub fn restart(&mut self) {
+        self.last = SYST::get_current();
+        self.ticks = 0;
+    }
+
     /// Adds what has passed since the last lap. SysTick has but 24 bits, so a
     /// lap may take 2^24 ticks at most: about 0.7 to 1.3 G instructions.
     pub fn lap(&mut self) {

@@ -51,6 +51,17 @@ pub(super) fn example(key: &str) -> &'static str {
         "checker" => r#"checker = { size = 1.0, axes = "xz", materials = ["red", "yellow"] }"#,
         "size" => "size = 1.0",
         "axes" => r#"axes = "xz""#,
+        "name" => r#"name = "ball""#,
+        "animation" => "[animation]",
+        "duration" => "duration = 4.0",
+        "loop" => "loop = true",
+        "tracks" => "[[animation.tracks]]",
+        "target" => r#"target = "camera.orbit""#,
+        "interpolation" => r#"interpolation = "smooth""#,
+        "keys" => "keys = [[0.0, [0.0, 1.0, 0.0]], [4.0, [0.0, 3.0, 0.0]]]",
+        "keys of colors" => "keys = [[0.0, [1.0, 1.0, 1.0]], [4.0, [1.0, 0.6, 0.2]]]",
+        "keys of numbers" => "keys = [[0.0, 33.0], [4.0, 20.0]]",
+        "keys of angles" => "keys = [[0.0, 0.0], [4.0, 360.0]]",
         _ => "",
     }
 }

@@ -1,3 +1,5 @@
+mod motion;
+
 use whitted::{Item, Problem, Real, SceneError};
 
 use super::error::LoadError;

@@ -1,6 +1,7 @@
 use whitted::{Light, Material, MaterialId, Object, PreparedScene, Scene, SceneBuffer, Texture};
 
 use super::error::LoadError;
+use super::motion::Motion;
 use super::outline::Outline;
 
 /// Room for any scene a person would write by hand.
@@ -21,6 +22,8 @@ pub struct SceneFile {
     pub material_names: Vec<String>,
     /// The objects, in the file's order.
     pub objects: Vec<Object>,
+    /// How the scene moves, if it does.
+    pub animation: Option<Motion>,
     pub(super) outline: Outline,
 }
 

@@ -30,6 +30,7 @@ pub(super) const SCENE: Kind = Kind {
         "lights",
         "materials",
         "objects",
+        "animation",
     ],
 };
 

@@ -6,7 +6,7 @@ use super::value::Value;
 
 const LIGHT: Kind = Kind {
     name: "a light",
-    keys: &["position", "color", "diffuse", "specular"],
+    keys: &["position", "color", "diffuse", "specular", "name"],
 };
 
 /// Reads a light: one color, or two.

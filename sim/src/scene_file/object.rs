@@ -12,7 +12,7 @@ const OBJECT: Kind = Kind {
     name: "an object",
     keys: &[
         "type", "material", "checker", "center", "radius", "radii", "origin", "height", "y",
-        "normal", "point", "bounds", "depth", "ratio", "frame",
+        "normal", "point", "bounds", "depth", "ratio", "frame", "name",
     ],
 };
 

@@ -1,13 +1,16 @@
 use whitted::{Background, Camera, Color, Real, Scene};
 
+use super::animation::animation;
 use super::error::LoadError;
 use super::file::SceneFile;
 use super::keys::{Keys, Kind, SCENE};
 use super::light::light;
 use super::material::{Names, material, shading};
+use super::name::{name, only_once};
 use super::object::object;
 use super::outline::Outline;
 use super::source::Source;
+use super::target::targets;
 use super::value::Value;
 
 /// The generations that `Scene::max_depth` may ask for.
@@ -49,15 +52,26 @@ pub(super) fn scene_file(source: &Source<'_>) -> Result<SceneFile, LoadError> {
         .map(|(_, value)| material(value))
         .collect::<Result<_, _>>()?;
     let objects = each(&file, "objects", |value| object(value, &names))?;
-    Ok(SceneFile {
+    let object_names = each(&file, "objects", name)?;
+    let light_names = each(&file, "lights", name)?;
+    only_once(&object_names)?;
+    only_once(&light_names)?;
+    let animation = file.get("animation").map(|value| {
+        let targets = targets(&objects, &object_names, &light_names);
+        animation(&value, &targets)
+    });
+    let file = SceneFile {
         title: title.map(str::to_owned),
         settings,
         lights,
         materials,
         material_names: names.0.into_iter().map(str::to_owned).collect(),
         objects,
+        animation: animation.transpose()?,
         outline: Outline::new(source, table.get_ref()),
-    })
+    };
+    file.check_animation()?;
+    Ok(file)
 }
 
 fn named_tables<'a>(value: &Value<'a>) -> Result<Vec<(&'a str, Value<'a>)>, LoadError> {

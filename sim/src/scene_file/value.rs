@@ -43,7 +43,7 @@ impl<'a> Value<'a> {
     }
 
     /// An error about this value, with an example of a right one.
-    fn advise(&self, reason: impl Into<String>) -> LoadError {
+    pub(super) fn advise(&self, reason: impl Into<String>) -> LoadError {
         let error = self.error(reason);
         match example(self.key) {
             "" => error,
@@ -101,7 +101,8 @@ impl<'a> Value<'a> {
         self.numbers("an interval [low, high]")
     }
 
-    fn numbers<const N: usize>(&self, what: &str) -> Result<[Real; N], LoadError> {
+    /// `N` numbers, called `what`.
+    pub(super) fn numbers<const N: usize>(&self, what: &str) -> Result<[Real; N], LoadError> {
         let mut numbers = [Real::ZERO; N];
         for (number, value) in numbers.iter_mut().zip(self.array::<N>(what)?) {
             *number = value.number()?;
@@ -135,6 +136,14 @@ impl<'a> Value<'a> {
     /// A string, called `what`.
     pub(super) fn text(&self, what: &str) -> Result<&'a str, LoadError> {
         self.node.get_ref().as_str().ok_or_else(|| self.wrong(what))
+    }
+
+    /// `true` or `false`.
+    pub(super) fn flag(&self) -> Result<bool, LoadError> {
+        match self.node.get_ref() {
+            DeValue::Boolean(flag) => Ok(*flag),
+            _ => Err(self.wrong("`true` or `false`")),
+        }
     }
 
     /// One of the named `choices`, which together are `these`.

@@ -141,16 +141,18 @@ impl Node {
     #[inline(never)]
     pub(super) fn child(&self, flake: &Sphereflake, child: u32, path_shift: u32) -> Self {
         let direction = inward(self.direction.map(Unit::to_bits), child).map(Unit::from_bits);
-        // How much farther the child's foot is: Q30 * Q30 -> Q60 -> Q29
+        // How much farther the child's foot is: Q30 * Q30 -> Q60 -> Q29, rounded
+        // down, as that moves it along the ray only.
         let farther = flake.step.product(direction.z).to_bits();
-        let farther = Radii::from_bits(((farther + (1 << 30)) >> 31) as i32);
+        let farther = Radii::from_bits((farther >> 31) as i32);
+        let distance = self.distance_to(farther);
         // (l - step a + farther d) / ratio: Q29 * Q30 -> Q59, and by the power
         // of two -> Q29
         let inverse = flake.inverse_ratio;
-        let (back, on) = (flake.back, rounded(farther.product(inverse).to_bits()));
+        let on = Radii::from_bits((farther.product(inverse).to_bits() >> 30) as i32);
         let shift = flake.shift;
         let foot = self.foot.map(|l| l.product(inverse));
-        let foot = foot.zip(axis(child), |l, a| l + back.product(a));
+        let foot = foot.zip(axis(child), |l, a| l + flake.back.product(a));
         let foot = foot.zip(self.direction, |l, d| {
             upper_shifted((l + on.product(d)).to_bits(), shift + 2)
         });
@@ -159,7 +161,7 @@ impl Node {
         Self {
             foot: inward(foot, child).map(Radii::from_bits),
             direction,
-            distance: self.distance_to(farther),
+            distance,
             // Q31 * Q32 -> Q63 -> Q31
             radius: I1F31::from_bits(
                 ((wide(self.radius.to_bits() as u32, flake.ratio.to_bits()) + (1 << 31)) >> 32)

@@ -3,7 +3,7 @@
 use anyhow::{Result, bail};
 
 use crate::command::{cargo, command, works};
-use crate::tools::add_target;
+pub(super) use crate::tools::target;
 
 pub(super) const MIPS: &str = "mips-unknown-linux-gnu";
 pub(super) const WASM: &str = "wasm32-unknown-unknown";
@@ -13,10 +13,6 @@ pub(super) const RISCV: &str = "riscv32imc-unknown-none-elf";
 pub(super) const NIGHTLY: &str = "+nightly";
 /// The oldest one that Cargo.toml promises.
 pub(super) const OLDEST: &str = "+1.89";
-
-pub(super) fn target(name: &str) -> Result<()> {
-    add_target(name)
-}
 
 /// A program that is there, or an error that says how to install it.
 pub(super) fn program(name: &str, how: &str) -> Result<()> {

@@ -13,17 +13,17 @@ use imports::{Import, Path, imports};
 #[rustfmt::skip]
 const LAYERS: &[&str] = &[
     // Numbers.
-    "num", "vector", "color", "checksum", "optics",
+    "num", "vector", "angle", "color", "checksum", "optics",
     // What a person writes down.
-    "error", "scene",
+    "error", "scene", "animation",
     // What is traced, scaled.
     "observer", "ray", "texture", "shape", "prepared", "acceleration", "camera", "coverage",
     // From the one to the other.
     "prepare", "compiled", "buffer",
     // Nearest hit, local light, the tree of rays.
-    "intersect", "shadow", "shade", "tracer",
+    "intersect", "shadow", "shade", "tracer", "raster",
     // Colors to pixels, lines to displays.
-    "pixel", "renderer",
+    "output", "pixel", "drawing", "renderer", "changes", "antialias",
 ];
 
 /// Complains about uses of a higher layer, layers that are not in the list,

@@ -2,7 +2,9 @@ use std::path::PathBuf;
 
 use clap::{Parser, Subcommand, ValueEnum, value_parser};
 use embedded_graphics::geometry::Size;
-use whitted::Real;
+use whitted::{Output, Real, Samples};
+
+use crate::display::Display;
 
 /// Renders scenes on the host, with the arithmetic of the microcontroller.
 ///
@@ -30,6 +32,10 @@ pub(crate) enum Command {
         /// A scene file, or a compiled scene.
         scene: PathBuf,
     },
+    /// Render a scene that moves to an animated GIF or PNG, or to numbered PNGs.
+    ///
+    /// What moves stands in the scene's table `animation`; without one the camera orbits once.
+    Animate(Animate),
     /// Write a scene in the compact form that microcontrollers decode.
     Compile {
         /// A scene file.
@@ -46,7 +52,9 @@ pub(crate) enum Command {
     Explain(Explain),
     /// Render scenes into a directory, with a page to look at them.
     Gallery(Gallery),
-    /// Show a scene in a window (needs the feature `window`).
+    /// List the displays that `render` and `view` know.
+    Displays,
+    /// Show scenes in a window, as displays show them (needs the feature `window`).
     View(View),
 }
 
@@ -59,15 +67,48 @@ pub(crate) struct Render {
     pub(crate) output: Option<PathBuf>,
     #[command(flatten)]
     pub(crate) quality: Quality,
-    /// The display's pixels.
-    #[arg(long, value_enum, default_value_t)]
-    pub(crate) format: Format,
+    #[command(flatten)]
+    pub(crate) shown: Shown,
+    #[command(flatten)]
+    pub(crate) passes: Passes,
     /// Write linear colors, 16 bits a channel, in place of a display's.
-    #[arg(long, conflicts_with = "format")]
+    #[arg(long, conflicts_with_all = ["format", "dither", "transfer", "order", "most"])]
     pub(crate) linear16: bool,
+    /// A display to show it on, with that one's size, pixels and colors: see `displays`.
+    #[arg(long, value_name = "NAME", value_parser = Display::named)]
+    #[arg(conflicts_with_all = ["size", "format", "linear16"])]
+    pub(crate) display: Option<Display>,
+    /// How many pixels of the PNG a display's pixel is wide and high.
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 1,
+        conflicts_with = "linear16"
+    )]
+    #[arg(value_parser = value_parser!(u32).range(1..=16))]
+    pub(crate) scale: u32,
     /// Print rays, intersection tests, time, what microcontrollers would take, and checksum.
     #[arg(long)]
     pub(crate) stats: bool,
+}
+
+#[derive(clap::Args)]
+pub(crate) struct Animate {
+    /// A scene file, or the name of a scene in scenes/.
+    pub(crate) scene: PathBuf,
+    /// A GIF, an APNG (FILE.apng or FILE.png), or a directory for numbered PNGs.
+    #[arg(short, long, value_name = "FILE|DIR")]
+    pub(crate) output: PathBuf,
+    /// Frames a second [default: 20].
+    #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..=100))]
+    pub(crate) fps: Option<u16>,
+    /// How many frames [default: as many as the animation takes].
+    #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..))]
+    pub(crate) frames: Option<u16>,
+    #[command(flatten)]
+    pub(crate) quality: Quality,
+    #[command(flatten)]
+    pub(crate) shown: Shown,
 }
 
 #[derive(clap::Args)]
@@ -98,15 +139,17 @@ pub(crate) struct Gallery {
 
 #[derive(clap::Args)]
 pub(crate) struct View {
-    /// A scene file, a compiled scene, or the name of a scene in scenes/.
-    #[arg(default_value = "whitted")]
-    pub(crate) scene: PathBuf,
+    /// Scene files, compiled scenes, or names of scenes in scenes/ [default: all of scenes/].
+    pub(crate) scenes: Vec<PathBuf>,
+    /// The display to begin with, in place of a plain one of the size: see `displays`.
+    #[arg(long, value_name = "NAME", value_parser = Display::named, conflicts_with = "size")]
+    pub(crate) display: Option<Display>,
     #[command(flatten)]
     pub(crate) quality: Quality,
 }
 
 /// What a rendering costs.
-#[derive(clap::Args)]
+#[derive(Clone, Copy, clap::Args)]
 pub(crate) struct Quality {
     /// Width and height in pixels.
     #[arg(long, value_name = "WxH", default_value = "320x240", value_parser = size)]
@@ -119,14 +162,99 @@ pub(crate) struct Quality {
     pub(crate) min_weight: Option<Real>,
 }
 
-/// The color formats of displays.
-#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+/// How a display shows a picture.
+#[derive(Clone, Copy, Debug, Default, clap::Args)]
+pub(crate) struct Shown {
+    /// The display's pixels.
+    #[arg(long, value_enum, default_value_t)]
+    pub(crate) format: Format,
+    /// What becomes of colors between two levels of fewer than 8 bits.
+    #[arg(long, value_enum, default_value_t)]
+    dither: Dither,
+    /// From light to the display's values.
+    #[arg(long, value_enum, default_value_t)]
+    transfer: Transfer,
+}
+
+impl Shown {
+    /// The same for the library.
+    pub(crate) fn output(self) -> Output {
+        Output {
+            transfer: match self.transfer {
+                Transfer::Linear => whitted::Transfer::Linear,
+                Transfer::Srgb => whitted::Transfer::Srgb,
+            },
+            dither: match self.dither {
+                Dither::On => whitted::Dither::Ordered,
+                Dither::Off => whitted::Dither::Off,
+            },
+        }
+    }
+}
+
+/// In which order a display gets its pixels, how many of them, and how good.
+#[derive(Clone, Copy, Debug, clap::Args)]
+pub(crate) struct Passes {
+    /// In which order the display gets its pixels.
+    #[arg(long, value_enum, default_value_t)]
+    pub(crate) order: Order,
+    /// Stop after so many passes: progressive order has five, scanlines have one.
+    #[arg(long = "passes", value_name = "N", default_value_t = Self::ALL, value_parser = value_parser!(u8).range(1..=5))]
+    pub(crate) most: u8,
+    /// Smooth edges: this many more rays through pixels that differ from their neighbors.
+    #[arg(long, value_enum, value_name = "N", conflicts_with_all = ["order", "most"])]
+    antialias: Option<Antialias>,
+}
+
+impl Passes {
+    const ALL: u8 = 5;
+
+    /// How edges are smoothed.
+    pub(crate) fn samples(&self) -> Option<Samples> {
+        self.antialias.map(Into::into)
+    }
+
+    /// The sides of the blocks of each pass.
+    pub(crate) fn blocks(&self) -> &'static [u32] {
+        let blocks: &[u32] = match self.order {
+            Order::Scanlines => &[1],
+            Order::Progressive => &[16, 8, 4, 2, 1],
+        };
+        &blocks[..blocks.len().min(self.most.into())]
+    }
+}
+
+impl Default for Passes {
+    fn default() -> Self {
+        Self {
+            order: Order::default(),
+            most: Self::ALL,
+            antialias: None,
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Order {
+    /// Line by line, from the top.
+    #[default]
+    Scanlines,
+    /// In blocks of 16 pixels a side, then 8, 4, 2 and 1.
+    Progressive,
+}
+
+/// The color formats of displays. The order of channels changes no picture.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Format {
     /// 24 bits.
     #[default]
     Rgb888,
+    /// 18 bits.
+    Rgb666,
     /// 16 bits.
     Rgb565,
+    /// 15 bits.
+    Rgb555,
     /// 256 grays.
     Gray8,
     /// 16 grays.
@@ -134,7 +262,43 @@ pub(crate) enum Format {
     /// 4 grays.
     Gray2,
     /// Black and white.
-    Bw,
+    #[value(alias = "bw")]
+    Binary,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Antialias {
+    #[value(name = "4")]
+    Four,
+    #[value(name = "16")]
+    Sixteen,
+}
+
+impl From<Antialias> for Samples {
+    fn from(antialias: Antialias) -> Self {
+        match antialias {
+            Antialias::Four => Self::Four,
+            Antialias::Sixteen => Self::Sixteen,
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+enum Dither {
+    /// A pattern of the level below and the level above.
+    #[default]
+    On,
+    /// The nearest level.
+    Off,
+}
+
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+enum Transfer {
+    /// Values are linear light.
+    #[default]
+    Linear,
+    /// Values are encoded as sRGB.
+    Srgb,
 }
 
 /// The longest side of a picture.

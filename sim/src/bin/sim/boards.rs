@@ -2,6 +2,7 @@
 
 use whitted_sim::cost::{BOARDS, Model, Work};
 
+use crate::number::{duration, two_digits};
 use crate::outcome::Outcome;
 
 /// Prints an estimate for each core, at the clock of a chip that has it.
@@ -23,34 +24,4 @@ pub(crate) fn print(work: &Work) -> Outcome {
         );
     }
     Ok(())
-}
-
-/// As much of it as an estimate can tell: `3.1 s`, `85 ms`.
-fn duration(seconds: f64) -> String {
-    if seconds < 0.1 {
-        format!("{} ms", two_digits(seconds * 1e3))
-    } else {
-        format!("{} s", two_digits(seconds))
-    }
-}
-
-/// A number with its first two digits at least.
-fn two_digits(number: f64) -> String {
-    let decimals = match number {
-        9.95.. => 0,
-        0.995.. => 1,
-        _ => 2,
-    };
-    format!("{number:.decimals$}")
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn durations_are_as_long_as_they_are_sure() {
-        let texts = [31.4, 9.96, 3.08, 0.304, 0.0514].map(duration);
-        assert_eq!(texts, ["31 s", "10 s", "3.1 s", "0.30 s", "51 ms"]);
-    }
 }

@@ -1,17 +1,18 @@
-//! Rendering as a display gets it: through `Renderer::draw`, in its pixels.
+//! Rendering as a display gets it: step by step, in its pixels.
 
 use std::time::Duration;
 
-use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray4, Gray8, Rgb565, Rgb888};
+use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
-use embedded_graphics_simulator::{OutputImage, OutputSettings, SimulatorDisplay};
-use whitted::{PreparedScene, Renderer};
+use embedded_graphics_simulator::{OutputImage, OutputSettings};
+use whitted::{Antialiased, Drawing as Steps, PreparedScene, Renderer, Sample, Step};
 
 use whitted_sim::cost::Work;
 
-use crate::args::Format;
+use crate::args::{Order, Passes, Shown};
 use crate::outcome::Outcome;
-use crate::progress::{Progress, Watched};
+use crate::panel::Panel;
+use crate::progress::Progress;
 
 /// A display's picture and what it took.
 pub(crate) struct Drawing {
@@ -20,35 +21,71 @@ pub(crate) struct Drawing {
     pub(crate) time: Duration,
 }
 
-/// Draws on a display of the format.
-pub(crate) fn draw(scene: &PreparedScene<'_>, size: Size, format: Format) -> Outcome<Drawing> {
-    match format {
-        Format::Rgb888 => on_display::<Rgb888>(scene, size),
-        Format::Rgb565 => on_display::<Rgb565>(scene, size),
-        Format::Gray8 => on_display::<Gray8>(scene, size),
-        Format::Gray4 => on_display::<Gray4>(scene, size),
-        Format::Gray2 => on_display::<Gray2>(scene, size),
-        Format::Bw => on_display::<BinaryColor>(scene, size),
-    }
+/// Draws on a display.
+pub(crate) fn draw(
+    scene: &PreparedScene<'_>,
+    size: Size,
+    shown: Shown,
+    passes: Passes,
+) -> Outcome<Drawing> {
+    let blocks = passes.blocks().iter();
+    let lines: u32 = blocks.map(|block| size.height.div_ceil(*block)).sum();
+    let mut progress = Progress::new(lines);
+    let (image, work) = frame(scene, size, shown, passes, &mut progress)?;
+    let time = progress.finish();
+    Ok(Drawing { image, work, time })
 }
 
-fn on_display<C>(scene: &PreparedScene<'_>, size: Size) -> Outcome<Drawing>
-where
-    C: PixelColor + whitted::Pixel + From<BinaryColor> + Into<Rgb888>,
-{
-    let mut display = SimulatorDisplay::<C>::new(size);
-    let mut renderer = Renderer::with_observer(scene, size, Work::new(scene));
-    let mut watched = Watched {
-        display: &mut display,
-        progress: Progress::new(size.height),
+/// Draws on a display, as a part of more work.
+pub(crate) fn frame(
+    scene: &PreparedScene<'_>,
+    size: Size,
+    shown: Shown,
+    passes: Passes,
+    progress: &mut Progress,
+) -> Outcome<(OutputImage<Rgb888>, Work)> {
+    let mut panel = Panel::new(size, shown.format);
+    let work = match passes.samples() {
+        None => draw_passes(scene, shown, passes, &mut panel, progress)?,
+        Some(samples) => {
+            let (work, mut memory) = (Work::new(scene), two_lines(size));
+            let mut renderer = Antialiased::with_observer(scene, size, samples, &mut memory, work)?;
+            renderer.set_output(shown.output());
+            for y in 0..size.height {
+                renderer.draw_line(y, &mut panel)?;
+                progress.line();
+            }
+            renderer.observer().clone()
+        }
     };
-    renderer.draw(&mut watched)?;
-    let time = watched.progress.finish();
     // The default settings show the display's values as they are.
-    let image = display.to_rgb_output_image(&OutputSettings::default());
-    Ok(Drawing {
-        image,
-        work: renderer.observer().clone(),
-        time,
-    })
+    let settings = OutputSettings::default();
+    Ok((panel.display.to_rgb_output_image(&settings), work))
+}
+
+fn draw_passes(
+    scene: &PreparedScene<'_>,
+    shown: Shown,
+    passes: Passes,
+    panel: &mut Panel,
+    progress: &mut Progress,
+) -> Outcome<Work> {
+    let mut renderer = Renderer::with_observer(scene, panel.size(), Work::new(scene));
+    renderer.set_output(shown.output());
+    let area = panel.bounding_box();
+    let mut steps = match passes.order {
+        Order::Scanlines => Steps::scanlines(area),
+        Order::Progressive => Steps::progressive(area),
+    };
+    let finest = passes.blocks().last().copied().unwrap_or(1);
+    while steps.block() >= finest {
+        renderer.step(&mut steps, Step::Line, panel)?;
+        progress.line();
+    }
+    Ok(renderer.observer().clone())
+}
+
+/// The memory that smooth edges take.
+pub(crate) fn two_lines(size: Size) -> Vec<Sample> {
+    vec![Sample::BLACK; 2 * size.width as usize]
 }

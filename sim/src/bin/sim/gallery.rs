@@ -11,7 +11,7 @@ use embedded_graphics::geometry::Size;
 use whitted::Stats;
 use whitted_sim::scene_file::Buffer;
 
-use crate::args::{Format, Gallery};
+use crate::args::{Gallery, Passes, Shown};
 use crate::draw::{Drawing, draw};
 use crate::open::{Scene, all_scenes};
 use crate::outcome::Outcome;
@@ -58,7 +58,7 @@ pub(crate) fn gallery(options: &Gallery) -> Outcome {
 fn render(scene: &Scene, size: Size) -> Outcome<Drawing> {
     let mut buffer = Box::new(Buffer::new());
     let prepared = scene.prepare(&mut buffer)?;
-    draw(&prepared, size, Format::default())
+    draw(&prepared, size, Shown::default(), Passes::default())
 }
 
 fn rays(stats: &Stats) -> u64 {

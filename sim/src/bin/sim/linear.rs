@@ -3,11 +3,13 @@
 use std::time::Duration;
 
 use embedded_graphics::geometry::Size;
-use whitted::{PreparedScene, Renderer};
+use whitted::{Antialiased, PreparedScene, Renderer, Samples};
 use whitted_sim::cost::Work;
 use whitted_sim::picture::Picture;
 use whitted_sim::render;
 
+use crate::draw::two_lines;
+use crate::outcome::Outcome;
 use crate::progress::Progress;
 
 /// A picture in linear light and what it took.
@@ -18,13 +20,32 @@ pub(crate) struct Linear {
 }
 
 /// Renders to linear 16-bit samples.
-pub(crate) fn linear(scene: &PreparedScene<'_>, size: Size) -> Linear {
+pub(crate) fn linear(
+    scene: &PreparedScene<'_>,
+    size: Size,
+    samples: Option<Samples>,
+) -> Outcome<Linear> {
     let mut progress = Progress::new(size.height);
-    let mut renderer = Renderer::with_observer(scene, size, Work::new(scene));
-    let picture = render::trace(&mut renderer, |_| progress.line());
-    Linear {
+    let work = Work::new(scene);
+    let (picture, work) = match samples {
+        None => {
+            let mut renderer = Renderer::with_observer(scene, size, work);
+            let picture = render::trace(&mut renderer, |_| progress.line());
+            (picture, renderer.observer().clone())
+        }
+        Some(samples) => {
+            let mut memory = two_lines(size);
+            let mut renderer = Antialiased::with_observer(scene, size, samples, &mut memory, work)?;
+            let picture = render::lines(size, |y, line| {
+                renderer.render_line(y, line);
+                progress.line();
+            });
+            (picture, renderer.observer().clone())
+        }
+    };
+    Ok(Linear {
         picture,
-        work: renderer.observer().clone(),
+        work,
         time: progress.finish(),
-    }
+    })
 }

@@ -1,18 +1,22 @@
-//! The host simulator: renders scene files, compares pictures, explains pixels,
+//! The host simulator: renders and animates scene files, compares pictures, explains pixels,
 //! checks and compiles scenes.
 //!
-//! args ── open (scene) ── draw or linear ──> PNG, terminal, window
+//! args ── open (scene) ── draw or linear ──> display ──> PNG, terminal, window
 
+mod animate;
 mod args;
 mod boards;
 mod compare;
+mod display;
 mod draw;
 mod explain;
 mod gallery;
 mod linear;
 mod memory;
+mod number;
 mod open;
 mod outcome;
+mod panel;
 mod progress;
 mod render;
 mod report;
@@ -41,11 +45,16 @@ fn run(args: Args) -> Outcome {
     match args.command {
         None => render::default_scene(),
         Some(Command::Render(options)) => render::render(&options),
+        Some(Command::Animate(options)) => animate::animate(&options),
         Some(Command::Compare { a, b }) => compare::compare(&a, &b),
         Some(Command::Check { scene }) => scene::check(&scene),
         Some(Command::Compile { scene, output }) => scene::compile(&scene, &output),
         Some(Command::Explain(options)) => explain::explain(&options),
         Some(Command::Gallery(options)) => gallery::gallery(&options),
+        Some(Command::Displays) => {
+            display::list();
+            Ok(())
+        }
         Some(Command::View(options)) => view::view(&options),
     }
 }

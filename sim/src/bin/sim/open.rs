@@ -20,15 +20,19 @@ pub(crate) enum Scene {
 impl Scene {
     /// Opens a path, or else what the project's scenes have by this name.
     pub(crate) fn open(path: &Path) -> Outcome<Self> {
-        let path = find(path)?;
+        Self::read(&find(path)?)
+    }
+
+    /// Reads the file of a scene.
+    pub(crate) fn read(path: &Path) -> Outcome<Self> {
         let name = path.display().to_string();
         if path
             .extension()
             .is_some_and(|extension| extension == "toml")
         {
-            return Ok(Self::file(scene_file::load(&path)?));
+            return Ok(Self::file(scene_file::load(path)?));
         }
-        let bytes = fs::read(&path).map_err(|error| format!("{name}: cannot be read: {error}"))?;
+        let bytes = fs::read(path).map_err(|error| format!("{name}: cannot be read: {error}"))?;
         // Anything that does not claim to be compiled is taken for text.
         match (decode(&bytes), std::str::from_utf8(&bytes)) {
             (Err(DecodeError::NotAScene), Ok(text)) => {
@@ -61,14 +65,7 @@ impl Scene {
         buffer: &'b mut Buffer,
     ) -> Outcome<PreparedScene<'b>> {
         let mut scene = self.prepare(buffer)?;
-        if let Some(max_depth) = quality.max_depth {
-            let set = scene.set_max_depth(max_depth);
-            set.map_err(|error| format!("--max-depth {max_depth}: {}", error.problem))?;
-        }
-        if let Some(min_weight) = quality.min_weight {
-            let set = scene.set_min_weight(min_weight);
-            set.map_err(|error| format!("--min-weight {min_weight}: {}", error.problem))?;
-        }
+        overrule(&mut scene, quality)?;
         Ok(scene)
     }
 
@@ -87,6 +84,19 @@ impl Scene {
             Self::Compiled { .. } => None,
         }
     }
+}
+
+/// Sets what the options say in place of the scene.
+pub(crate) fn overrule(scene: &mut PreparedScene<'_>, quality: &Quality) -> Outcome {
+    if let Some(max_depth) = quality.max_depth {
+        let set = scene.set_max_depth(max_depth);
+        set.map_err(|error| format!("--max-depth {max_depth}: {}", error.problem))?;
+    }
+    if let Some(min_weight) = quality.min_weight {
+        let set = scene.set_min_weight(min_weight);
+        set.map_err(|error| format!("--min-weight {min_weight}: {}", error.problem))?;
+    }
+    Ok(())
 }
 
 fn decode(bytes: &[u8]) -> Result<(), DecodeError> {
@@ -119,7 +129,7 @@ pub(crate) fn all_scenes() -> Outcome<Vec<PathBuf>> {
 
 /// The path itself; or the same seen from the project's root; or a scene of
 /// that name in scenes/.
-fn find(path: &Path) -> Outcome<PathBuf> {
+pub(crate) fn find(path: &Path) -> Outcome<PathBuf> {
     let [root, scenes] = places();
     let mut named = scenes.join(path).into_os_string();
     named.push(".toml");

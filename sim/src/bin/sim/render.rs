@@ -6,7 +6,8 @@ use embedded_graphics::geometry::Size;
 use whitted_sim::scene_file::Buffer;
 use whitted_sim::{png16, render as library};
 
-use crate::args::{Format, Render};
+use crate::args::{Passes, Render, Shown};
+use crate::display::Display;
 use crate::draw::draw;
 use crate::linear::linear;
 use crate::open::Scene;
@@ -18,7 +19,12 @@ pub(crate) fn default_scene() -> Outcome {
     let scene = Scene::open(Path::new("whitted"))?;
     let mut buffer = Box::new(Buffer::new());
     let prepared = scene.prepare(&mut buffer)?;
-    let drawing = draw(&prepared, Size::new(320, 240), Format::default())?;
+    let drawing = draw(
+        &prepared,
+        Size::new(320, 240),
+        Shown::default(),
+        Passes::default(),
+    )?;
     terminal::show(&drawing.image)?;
     report::save(&drawing.image, Path::new("whitted.png"))?;
     Ok(())
@@ -30,12 +36,13 @@ pub(crate) fn render(options: &Render) -> Outcome {
     let mut buffer = Box::new(Buffer::new());
     let prepared = scene.prepare_for(&options.quality, &mut buffer)?;
     let size = options.quality.size;
+    let samples = options.passes.samples();
     let output = options
         .output
         .clone()
         .unwrap_or_else(|| named_after(&options.scene));
     let checksum = if options.linear16 {
-        let linear = linear(&prepared, size);
+        let linear = linear(&prepared, size, samples)?;
         png16::write(&output, &linear.picture)?;
         report::wrote(&output);
         if options.stats {
@@ -43,14 +50,18 @@ pub(crate) fn render(options: &Render) -> Outcome {
         }
         library::checksum(&linear.picture)
     } else {
-        let drawing = draw(&prepared, size, options.format)?;
-        report::save(&drawing.image, &output)?;
+        let display = options.display;
+        let display = display.unwrap_or_else(|| Display::plain(size, options.shown.format));
+        let mut shown = options.shown;
+        shown.format = display.format;
+        let drawing = draw(&prepared, display.size, shown, options.passes)?;
+        report::save(&display.shown(&drawing.image, options.scale), &output)?;
         if !options.stats {
             return Ok(());
         }
         report::stats(&drawing.work, drawing.time)?;
         // The checksum is of linear samples, which a display does not keep.
-        library::checksum(&linear(&prepared, size).picture)
+        library::checksum(&linear(&prepared, display.size, samples)?.picture)
     };
     report::checksum(checksum);
     Ok(())

@@ -9,7 +9,7 @@ pub(super) const FORM: Form = Form {
     kind: Kind {
         name: "a cone",
         keys: &[
-            "type", "origin", "radius", "height", "y", "material", "checker",
+            "type", "origin", "radius", "height", "y", "material", "checker", "name",
         ],
     },
     read,

@@ -8,7 +8,9 @@ pub(super) const FORM: Form = Form {
     name: "cylinder",
     kind: Kind {
         name: "a cylinder",
-        keys: &["type", "origin", "radius", "y", "material", "checker"],
+        keys: &[
+            "type", "origin", "radius", "y", "material", "checker", "name",
+        ],
     },
     read,
 };

@@ -8,7 +8,7 @@ pub(super) const FORM: Form = Form {
     name: "ellipsoid",
     kind: Kind {
         name: "an ellipsoid",
-        keys: &["type", "center", "radii", "material", "checker"],
+        keys: &["type", "center", "radii", "material", "checker", "name"],
     },
     read,
 };

@@ -8,7 +8,7 @@ pub(super) const FORM: Form = Form {
     name: "paraboloid",
     kind: Kind {
         name: "a paraboloid",
-        keys: &["type", "origin", "y", "material", "checker"],
+        keys: &["type", "origin", "y", "material", "checker", "name"],
     },
     read,
 };

@@ -8,7 +8,9 @@ pub(super) const FORM: Form = Form {
     name: "plane",
     kind: Kind {
         name: "a plane",
-        keys: &["type", "normal", "point", "bounds", "material", "checker"],
+        keys: &[
+            "type", "normal", "point", "bounds", "material", "checker", "name",
+        ],
     },
     read,
 };

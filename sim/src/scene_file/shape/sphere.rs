@@ -8,7 +8,7 @@ pub(super) const FORM: Form = Form {
     name: "sphere",
     kind: Kind {
         name: "a sphere",
-        keys: &["type", "center", "radius", "material", "checker"],
+        keys: &["type", "center", "radius", "material", "checker", "name"],
     },
     read,
 };

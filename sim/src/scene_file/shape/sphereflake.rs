@@ -13,7 +13,7 @@ pub(super) const FORM: Form = Form {
     kind: Kind {
         name: "a sphereflake",
         keys: &[
-            "type", "center", "radius", "depth", "ratio", "frame", "material", "checker",
+            "type", "center", "radius", "depth", "ratio", "frame", "material", "checker", "name",
         ],
     },
     read,

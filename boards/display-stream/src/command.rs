@@ -1,0 +1,39 @@
+//! The commands that are modeled, by the numbers of MIPI's Display Command Set.
+
+pub(crate) const NOP: u8 = 0x00;
+pub(crate) const SWRESET: u8 = 0x01;
+pub(crate) const SLPIN: u8 = 0x10;
+pub(crate) const SLPOUT: u8 = 0x11;
+pub(crate) const NORON: u8 = 0x13;
+pub(crate) const INVOFF: u8 = 0x20;
+pub(crate) const INVON: u8 = 0x21;
+pub(crate) const GAMSET: u8 = 0x26;
+pub(crate) const DISPOFF: u8 = 0x28;
+pub(crate) const DISPON: u8 = 0x29;
+pub(crate) const CASET: u8 = 0x2A;
+pub(crate) const RASET: u8 = 0x2B;
+pub(crate) const RAMWR: u8 = 0x2C;
+pub(crate) const TEOFF: u8 = 0x34;
+pub(crate) const TEON: u8 = 0x35;
+pub(crate) const MADCTL: u8 = 0x36;
+pub(crate) const IDMOFF: u8 = 0x38;
+pub(crate) const COLMOD: u8 = 0x3A;
+pub(crate) const RAMWRC: u8 = 0x3C;
+pub(crate) const STE: u8 = 0x44;
+/// Brightness and the control of the backlight, which end at its read commands.
+pub(crate) const WRDISBV: u8 = 0x51;
+pub(crate) const WRCTRLD: u8 = 0x53;
+pub(crate) const WRCACE: u8 = 0x55;
+pub(crate) const WRCABCMB: u8 = 0x5E;
+
+/// From here on the makers have commands of their own.
+pub(crate) const FIRST_OF_MAKER: u8 = 0xB0;
+
+/// How many parameters of a command are looked at.
+pub(crate) const fn parameters(command: u8) -> usize {
+    match command {
+        CASET | RASET => 4,
+        MADCTL | COLMOD => 1,
+        _ => 0,
+    }
+}

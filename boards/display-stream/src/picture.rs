@@ -1,0 +1,79 @@
+use core::convert::Infallible;
+
+use embedded_graphics_core::Pixel;
+use embedded_graphics_core::draw_target::DrawTarget;
+use embedded_graphics_core::geometry::{OriginDimensions, Point, Size};
+use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
+
+/// What a person sees, line by line from the top left.
+///
+/// It can be drawn on, too: by the calls that draw on the display, it becomes the
+/// picture that the display should show.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Picture {
+    size: Size,
+    pixels: Vec<Rgb565>,
+}
+
+impl Picture {
+    /// A black picture.
+    pub fn new(size: Size) -> Self {
+        Self::from_fn(size, |_| Rgb565::BLACK)
+    }
+
+    /// A picture of these colors.
+    pub(crate) fn from_fn(size: Size, color: impl FnMut(Point) -> Rgb565) -> Self {
+        let line = |y| (0..size.width).map(move |x| Point::new(x as i32, y as i32));
+        Self {
+            size,
+            pixels: (0..size.height).flat_map(line).map(color).collect(),
+        }
+    }
+
+    /// The pixels, line by line.
+    pub fn pixels(&self) -> &[Rgb565] {
+        &self.pixels
+    }
+
+    /// The pixel here, if it is in the picture.
+    pub fn pixel(&self, at: Point) -> Option<Rgb565> {
+        self.pixels.get(self.index(at)?).copied()
+    }
+
+    /// The first pixel that differs, if the sizes are equal.
+    pub fn first_difference(&self, other: &Self) -> Option<Point> {
+        let mut pairs = self.pixels.iter().zip(&other.pixels);
+        let index = pairs.position(|(own, other)| own != other)? as u32;
+        let width = self.size.width.max(1);
+        Some(Point::new((index % width) as i32, (index / width) as i32))
+    }
+
+    fn index(&self, at: Point) -> Option<usize> {
+        let (x, y) = (u32::try_from(at.x).ok()?, u32::try_from(at.y).ok()?);
+        let is_inside = x < self.size.width && y < self.size.height;
+        is_inside.then(|| (y * self.size.width + x) as usize)
+    }
+}
+
+impl OriginDimensions for Picture {
+    fn size(&self) -> Size {
+        self.size
+    }
+}
+
+impl DrawTarget for Picture {
+    type Color = Rgb565;
+    type Error = Infallible;
+
+    fn draw_iter<I>(&mut self, pixels: I) -> Result<(), Infallible>
+    where
+        I: IntoIterator<Item = Pixel<Rgb565>>,
+    {
+        for Pixel(at, color) in pixels {
+            if let Some(pixel) = self.index(at).and_then(|index| self.pixels.get_mut(index)) {
+                *pixel = color;
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,104 @@
+use std::fs::File;
+use std::io::BufWriter;
+use std::path::{Path, PathBuf};
+
+use embedded_graphics::geometry::{Point, Size};
+use embedded_graphics::primitives::Rectangle;
+use gif::{DisposalMethod, Encoder, EncodingError, Frame, Repeat};
+
+use super::change::{changed, cut};
+use super::palette::Palette;
+use super::schedule::Schedule;
+use super::{Film, unwritable};
+use crate::outcome::Outcome;
+
+/// Fractions of a second that delays are counted in.
+const PER_SECOND: u32 = 100;
+
+/// A GIF. All frames are kept until its palette is known.
+struct Gif {
+    path: PathBuf,
+    file: BufWriter<File>,
+    size: Size,
+    delays: Vec<u16>,
+    looping: bool,
+    frames: Vec<Vec<u8>>,
+}
+
+pub(super) fn film(path: &Path, size: Size, schedule: &Schedule) -> Outcome<Box<dyn Film>> {
+    let file = File::create(path).map_err(|error| unwritable(path, error))?;
+    let frames = 0..schedule.times.len();
+    Ok(Box::new(Gif {
+        path: path.to_owned(),
+        file: BufWriter::new(file),
+        size,
+        delays: frames
+            .map(|frame| schedule.delay(frame, PER_SECOND))
+            .collect(),
+        looping: schedule.looping,
+        frames: Vec::new(),
+    }))
+}
+
+impl Film for Gif {
+    fn add(&mut self, pixels: &[u8]) -> Outcome {
+        self.frames.push(pixels.to_vec());
+        Ok(())
+    }
+
+    fn finish(self: Box<Self>) -> Outcome {
+        let path = self.path.clone();
+        Ok(self.write().map_err(|error| unwritable(&path, error))?)
+    }
+}
+
+impl Gif {
+    fn write(self) -> Result<(), EncodingError> {
+        // Sides are at most 8192.
+        let [width, height] = [self.size.width, self.size.height].map(|side| side as u16);
+        let mut palette = Palette::new(&self.frames);
+        let mut encoder = Encoder::new(self.file, width, height, &palette.colors())?;
+        if self.looping {
+            encoder.set_repeat(Repeat::Infinite)?;
+        }
+        let transparent = palette.transparent();
+        let mut before = None;
+        for (pixels, delay) in self.frames.iter().zip(self.delays) {
+            let indices = palette.indices(pixels);
+            let (area, buffer) = difference(before.as_deref(), &indices, self.size, transparent);
+            encoder.write_frame(&Frame {
+                delay,
+                dispose: DisposalMethod::Keep,
+                transparent: Some(transparent),
+                left: area.top_left.x as u16,
+                top: area.top_left.y as u16,
+                width: area.size.width as u16,
+                height: area.size.height as u16,
+                buffer: buffer.into(),
+                ..Frame::default()
+            })?;
+            before = Some(indices);
+        }
+        Ok(())
+    }
+}
+
+/// What is to be drawn over the frame before, and where; what stays is
+/// transparent.
+fn difference(
+    before: Option<&[u8]>,
+    now: &[u8],
+    size: Size,
+    transparent: u8,
+) -> (Rectangle, Vec<u8>) {
+    let Some(before) = before else {
+        return (Rectangle::new(Point::zero(), size), now.to_vec());
+    };
+    let area = changed::<1>(before, now, size.width);
+    let drawn: Vec<u8> = before
+        .iter()
+        .zip(now)
+        .map(|(before, now)| if before == now { transparent } else { *now })
+        .collect();
+    (area, cut::<1>(&drawn, size.width, &area))
+}

@@ -1,0 +1,116 @@
+use embedded_graphics::pixelcolor::Rgb888;
+use embedded_graphics::prelude::*;
+use embedded_graphics_simulator::SimulatorDisplay;
+use whitted::{Antialiased, Drawing, Output, PreparedScene, Renderer, Samples, Step};
+use whitted_sim::cost::Work;
+
+use crate::args::Order;
+use crate::display::Display;
+use crate::draw::two_lines;
+use crate::memory::memory;
+use crate::panel::Panel;
+
+/// Rays of a step: a few milliseconds.
+const STEP: Step = Step::Rays(2000);
+
+/// A picture that is drawn in steps.
+pub(super) struct Frame {
+    panel: Panel,
+    display: Display,
+    drawing: Drawing,
+    /// How edges are to be smoothed once all else is drawn.
+    edges: Option<Samples>,
+    /// What was asked for so far.
+    pub(super) work: Work,
+    /// Bytes that the scene takes.
+    pub(super) memory: usize,
+    /// Bytes that the renderer takes.
+    pub(super) renderer: usize,
+}
+
+impl Frame {
+    /// A dark display.
+    pub(super) fn new(display: Display) -> Self {
+        let panel = Panel::new(display.size, display.format);
+        Self {
+            drawing: Drawing::scanlines(panel.bounding_box()),
+            panel,
+            display,
+            edges: None,
+            work: Work::default(),
+            memory: 0,
+            renderer: 0,
+        }
+    }
+
+    /// Begins anew; what is on the display stays until it is drawn over.
+    pub(super) fn restart(
+        &mut self,
+        scene: &PreparedScene<'_>,
+        order: Order,
+        edges: Option<Samples>,
+    ) {
+        let area = self.panel.bounding_box();
+        self.drawing = match order {
+            Order::Progressive => Drawing::progressive(area),
+            Order::Scanlines => Drawing::scanlines(area),
+        };
+        self.edges = edges;
+        self.work = Work::new(scene);
+        self.memory = memory(scene.counts());
+        self.renderer = match edges {
+            None => size_of::<Renderer<'_>>(),
+            Some(_) => {
+                size_of::<Antialiased<'_, '_>>() + size_of_val(&*two_lines(self.panel.size()))
+            }
+        };
+    }
+
+    /// Draws on for a while.
+    pub(super) fn step(&mut self, scene: &PreparedScene<'_>, output: Output) {
+        if self.drawing.is_complete() {
+            return self.smooth(scene, output);
+        }
+        let work = self.work.clone();
+        let mut renderer = Renderer::with_observer(scene, self.panel.size(), work);
+        renderer.set_output(output);
+        let Ok(()) = renderer.step(&mut self.drawing, STEP, &mut self.panel);
+        self.work = renderer.observer().clone();
+    }
+
+    /// Draws all anew, with smooth edges, if they are asked for: at once, which
+    /// takes some tenths of a second, as lines are not drawn apart.
+    fn smooth(&mut self, scene: &PreparedScene<'_>, output: Output) {
+        let Some(samples) = self.edges.take() else {
+            return;
+        };
+        let (size, work) = (self.panel.size(), Work::new(scene));
+        let mut lines = two_lines(size);
+        let smooth = Antialiased::with_observer(scene, size, samples, &mut lines, work);
+        // A picture of the largest size is too large, and keeps its edges.
+        if let Ok(mut smooth) = smooth {
+            smooth.set_output(output);
+            let Ok(()) = smooth.draw(&mut self.panel);
+            self.work = smooth.observer().clone();
+        }
+    }
+
+    /// What is on the display so far, and which display it is.
+    pub(super) fn picture(&mut self) -> (&SimulatorDisplay<Rgb888>, &Display) {
+        self.display.cut(&mut self.panel.display);
+        (&self.panel.display, &self.display)
+    }
+
+    /// Whether nothing is left to be drawn.
+    pub(super) fn is_complete(&self) -> bool {
+        self.drawing.is_complete() && self.edges.is_none()
+    }
+
+    /// How much of the picture is traced.
+    pub(super) fn percent(&self) -> u64 {
+        let Size { width, height } = self.panel.size();
+        let pixels = u64::from(width) * u64::from(height);
+        // Smooth edges take several rays a pixel.
+        (u64::from(self.work.stats.eye) * 100 / pixels).min(100)
+    }
+}

@@ -1,0 +1,100 @@
+/// What a key does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Key {
+    Left,
+    Right,
+    Up,
+    Down,
+    Closer,
+    Farther,
+    NextScene,
+    PreviousScene,
+    Display,
+    Format,
+    Dither,
+    Transfer,
+    Antialiasing,
+    Order,
+    Chip,
+    Save,
+    Reset,
+    Help,
+    Quit,
+}
+
+/// Keys by the names that SDL has for them.
+const NAMES: [(&str, Key); 24] = [
+    ("Left", Key::Left),
+    ("Right", Key::Right),
+    ("Up", Key::Up),
+    ("Down", Key::Down),
+    ("+", Key::Closer),
+    // Where + is above it.
+    ("=", Key::Closer),
+    ("Keypad +", Key::Closer),
+    ("-", Key::Farther),
+    ("Keypad -", Key::Farther),
+    ("N", Key::NextScene),
+    ("Tab", Key::NextScene),
+    ("P", Key::PreviousScene),
+    ("D", Key::Display),
+    ("F", Key::Format),
+    ("T", Key::Dither),
+    ("G", Key::Transfer),
+    ("A", Key::Antialiasing),
+    ("O", Key::Order),
+    ("C", Key::Chip),
+    ("S", Key::Save),
+    ("R", Key::Reset),
+    ("H", Key::Help),
+    ("Q", Key::Quit),
+    ("Escape", Key::Quit),
+];
+
+/// The keys, for people.
+pub(super) const HELP: [&str; 6] = [
+    "arrows  orbit the camera      n, Tab  next scene            t  dither: on, off",
+    "+ -     zoom                  p       previous scene        g  transfer: linear, sRGB",
+    "r       reset the camera      d       next display          a  antialiasing: off, 4, 16 rays",
+    "s       save the picture      f       next format           o  order: progressive, line by line",
+    "h       help on, off          c       chip of the estimate  q, Esc  quit",
+    "A scene is read again when its file is saved.",
+];
+
+impl Key {
+    /// The key that SDL calls so.
+    pub(super) fn named(name: &str) -> Option<Self> {
+        let found = NAMES.iter().find(|(known, _)| *known == name);
+        found.map(|(_, key)| *key)
+    }
+
+    /// Whether it goes on for as long as it is held.
+    pub(super) fn repeats(self) -> bool {
+        use Key::{Closer, Down, Farther, Left, Right, Up};
+        matches!(self, Left | Right | Up | Down | Closer | Farther)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_found() {
+        assert_eq!(Key::named("Left"), Some(Key::Left));
+        assert_eq!(Key::named("Keypad -"), Some(Key::Farther));
+        assert_eq!(Key::named("F1"), None);
+    }
+
+    #[test]
+    fn help_tells_every_letter() {
+        let help = HELP.join(" ");
+        for (name, _) in NAMES
+            .iter()
+            .filter(|(name, _)| name.len() == 1 && *name != "=")
+        {
+            let name = name.to_lowercase();
+            assert!(help.split([' ', ',']).any(|word| word == name), "{name}");
+        }
+    }
+}

@@ -1,0 +1,159 @@
+//! What is said below the picture.
+
+use embedded_graphics::mono_font::MonoTextStyle;
+use embedded_graphics::mono_font::iso_8859_1::FONT_6X13;
+use embedded_graphics::pixelcolor::Rgb888;
+use embedded_graphics::prelude::*;
+use embedded_graphics::text::{Baseline, Text};
+use whitted::Stats;
+use whitted_sim::cost::{Board, Model, Work};
+
+use super::keys::HELP;
+use crate::number::{duration, grouped};
+
+const LINES: usize = 6;
+const LINE_HEIGHT: u32 = 15;
+const MARGIN: u32 = 6;
+
+/// The height of all lines.
+pub(super) const HEIGHT: u32 = LINES as u32 * LINE_HEIGHT + 2 * MARGIN;
+
+pub(super) const BACKGROUND: Rgb888 = Rgb888::new(0x14, 0x16, 0x1a);
+const PLAIN: Rgb888 = Rgb888::new(0xb8, 0xbe, 0xc8);
+const BRIGHT: Rgb888 = Rgb888::WHITE;
+/// Also what a test looks for.
+pub(super) const ERROR: Rgb888 = Rgb888::new(0xff, 0x6b, 0x5e);
+
+/// What is to be said.
+pub(super) struct Status<'a> {
+    pub(super) scene: String,
+    /// Which of the scenes it is.
+    pub(super) place: (usize, usize),
+    pub(super) options: String,
+    /// What was asked for so far.
+    pub(super) work: &'a Work,
+    /// How much of the picture is drawn.
+    pub(super) percent: u64,
+    pub(super) model: &'a Model,
+    pub(super) board: Board,
+    /// Bytes of the prepared scene.
+    pub(super) memory: usize,
+    /// Bytes of the renderer.
+    pub(super) renderer: usize,
+    pub(super) notice: Notice<'a>,
+}
+
+/// What is said in the last lines.
+pub(super) enum Notice<'a> {
+    Message(&'a str),
+    Error(&'a str),
+    /// In all lines.
+    Help,
+}
+
+type Line = (String, Rgb888);
+
+impl Status<'_> {
+    /// Draws the lines.
+    pub(super) fn draw<D: DrawTarget<Color = Rgb888>>(
+        &self,
+        target: &mut D,
+    ) -> Result<(), D::Error> {
+        target.clear(BACKGROUND)?;
+        let width = target.bounding_box().size.width - 2 * MARGIN;
+        let columns = (width / FONT_6X13.character_size.width) as usize;
+        let lines = self.lines(columns).into_iter().take(LINES);
+        for ((text, color), number) in lines.zip(0..) {
+            let corner = Point::new(MARGIN as i32, (MARGIN + number * LINE_HEIGHT) as i32);
+            let style = MonoTextStyle::new(&FONT_6X13, color);
+            Text::with_baseline(&text, corner, style, Baseline::Top).draw(target)?;
+        }
+        Ok(())
+    }
+
+    fn lines(&self, columns: usize) -> Vec<Line> {
+        if let Notice::Help = self.notice {
+            return HELP.map(|text| (text.to_owned(), PLAIN)).into();
+        }
+        let mut lines = vec![
+            (self.title(), BRIGHT),
+            (self.work(), PLAIN),
+            (self.memory(), PLAIN),
+        ];
+        match self.notice {
+            Notice::Error(text) => {
+                lines.extend(wrapped(text, columns).map(|line| (line, ERROR)));
+            }
+            Notice::Message(text) => lines.extend(wrapped(text, columns).map(|line| (line, PLAIN))),
+            Notice::Help => {}
+        }
+        lines
+    }
+
+    pub(super) fn title(&self) -> String {
+        let (place, count) = self.place;
+        let Self { scene, options, .. } = self;
+        format!("{scene} ({} of {count}) on {options}", place + 1)
+    }
+
+    /// What was asked for so far, and how long that takes.
+    fn work(&self) -> String {
+        let Stats {
+            eye,
+            reflected,
+            transmitted,
+            shadow,
+            ..
+        } = self.work.stats;
+        let rays = [eye, reflected, transmitted].map(u64::from).iter().sum();
+        let [rays, shadow] = [rays, shadow.into()].map(grouped);
+        let Board {
+            core,
+            title,
+            chip,
+            megahertz,
+        } = self.board;
+        let core = self.model.core(core);
+        let seconds = core.map_or(0.0, |core| core.seconds(self.work, &self.board));
+        format!(
+            "{} % drawn: {rays} rays, {shadow} shadow rays, about {} on a {title} at {megahertz} MHz ({chip})",
+            self.percent,
+            duration(seconds)
+        )
+    }
+
+    fn memory(&self) -> String {
+        let bytes = [self.memory, self.renderer];
+        let [scene, renderer] = bytes.map(|bytes| grouped(bytes as u64));
+        format!("memory: {scene} bytes the scene, {renderer} the renderer")
+    }
+}
+
+/// The lines of a text, broken where they are too long.
+fn wrapped(text: &str, columns: usize) -> impl Iterator<Item = String> {
+    text.lines().flat_map(move |line| {
+        let mut lines = vec![String::new()];
+        for word in line.trim().split(' ') {
+            match lines.last_mut() {
+                Some(last) if last.is_empty() => last.push_str(word),
+                Some(last) if last.chars().count() + 1 + word.chars().count() <= columns => {
+                    last.push(' ');
+                    last.push_str(word);
+                }
+                _ => lines.push(word.to_owned()),
+            }
+        }
+        lines
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn long_lines_are_wrapped_between_words() {
+        let lines: Vec<_> = wrapped("one two three\n  help: four", 8).collect();
+        assert_eq!(lines, ["one two", "three", "help:", "four"]);
+    }
+}

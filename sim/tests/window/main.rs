@@ -1,0 +1,166 @@
+//! `sim view` on an X screen, as a person sees and uses it.
+//!
+//! `xvfb-run cargo test --package whitted-sim --features window --test window`; `cargo xtask test
+//! window` does so, too.
+
+mod screen;
+mod shot;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+
+use screen::{Outcome, Screen};
+use shot::Shot;
+
+/// The colors of errors, of the title, and of other text.
+const ERROR: [u8; 3] = [0xff, 0x6b, 0x5e];
+const BRIGHT: [u8; 3] = [0xff; 3];
+const PLAIN: [u8; 3] = [0xb8, 0xbe, 0xc8];
+
+const RIGHT: u32 = 0xff53;
+const UP: u32 = 0xff52;
+
+/// A program that ends with this value at the latest.
+struct Running(Child);
+
+impl Drop for Running {
+    fn drop(&mut self) {
+        _ = self.0.kill();
+        _ = self.0.wait();
+    }
+}
+
+/// Where scenes of the test's own are, and pictures of them.
+struct Directory(PathBuf);
+
+impl Directory {
+    fn new() -> Outcome<Self> {
+        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("window");
+        _ = fs::remove_dir_all(&path);
+        fs::create_dir_all(&path)?;
+        Ok(Self(path))
+    }
+
+    fn sim(&self, args: &[&str]) -> Command {
+        let mut sim = Command::new(env!("CARGO_BIN_EXE_sim"));
+        sim.args(args).current_dir(&self.0).stdout(Stdio::null());
+        sim
+    }
+
+    /// What `sim render` makes of it.
+    fn rendered(&self, args: &[&str]) -> Outcome<Shot> {
+        let status = self
+            .sim(&[&["render", "-o", "expected.png"], args].concat())
+            .status()?;
+        assert!(status.success());
+        Shot::read(&self.0.join("expected.png"))
+    }
+
+    /// Saves a file as editors do: the new one takes the old one's place.
+    fn save(&self, name: &str, text: &str) -> Outcome {
+        let new = self.0.join("new");
+        fs::write(&new, text)?;
+        Ok(fs::rename(new, self.0.join(name))?)
+    }
+}
+
+fn scene(name: &str) -> Outcome<String> {
+    let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes");
+    Ok(fs::read_to_string(
+        scenes.join(name).with_extension("toml"),
+    )?)
+}
+
+#[test]
+fn a_person_can_look_and_try() -> Outcome {
+    let here = Directory::new()?;
+    let good = scene("whitted")?;
+    here.save("one.toml", &good)?;
+    here.save("two.toml", &scene("still_life")?)?;
+
+    let view = ["view", "one.toml", "two.toml", "--display", "ssd0323"];
+    let mut sim = Running(here.sim(&view).spawn()?);
+    let screen = Screen::connect()?;
+    let window = screen.window("whitted");
+    let on_oled = ["--display", "ssd0323", "--scale", "5"];
+    let oled = here.rendered(&[&["one.toml"][..], &on_oled].concat())?;
+    window.wait_for("the scene on the OLED", |shot| shot.shows(&oled))?;
+
+    // What is saved is what is shown.
+    window.press('s'.into())?;
+    window.wait_for("that it is saved", |shot| {
+        shot.says("wrote one-ssd0323.png", PLAIN)
+    })?;
+    let saved = Shot::read(&here.0.join("one-ssd0323.png"))?;
+    assert!(saved == here.rendered(&["one.toml", "--display", "ssd0323"])?);
+
+    // How the display shows it.
+    for (key, option) in [('t', ["--dither", "off"]), ('g', ["--transfer", "srgb"])] {
+        let other = here.rendered(&[&["one.toml"][..], &on_oled, &option].concat())?;
+        assert!(other != oled);
+        window.press(key.into())?;
+        window.wait_for("another output", |shot| shot.shows(&other))?;
+        window.press(key.into())?;
+        window.wait_for("the output before", |shot| shot.shows(&oled))?;
+    }
+    let title = |edges| {
+        format!("one (1 of 2) on ssd0323 128x64 gray4, dither, linear, {edges}, line by line")
+    };
+    window.press('o'.into())?;
+    window.wait_for("the other order", |shot| {
+        shot.shows(&oled)
+            && shot.says(
+                "one (1 of 2) on ssd0323 128x64 gray4, dither, linear, jagged, line by line",
+                BRIGHT,
+            )
+    })?;
+
+    let smooth = here.rendered(&[&["one.toml", "--antialias", "4"][..], &on_oled].concat())?;
+    window.press('a'.into())?;
+    window.wait_for("smooth edges", |shot| {
+        shot.shows(&smooth) && shot.says(&title("4 rays at edges"), BRIGHT)
+    })?;
+    window.press('a'.into())?;
+    window.wait_for("smoother edges", |shot| {
+        shot.says(&title("16 rays at edges"), BRIGHT)
+    })?;
+    window.press('a'.into())?;
+    window.wait_for("jagged edges", |shot| shot.shows(&oled))?;
+
+    // The camera goes around, and back.
+    for key in [RIGHT, UP, '='.into()] {
+        window.press(key)?;
+        window.wait_for("another view", |shot| !shot.shows(&oled))?;
+        window.press('r'.into())?;
+        window.wait_for("the camera where it was", |shot| shot.shows(&oled))?;
+    }
+
+    // A broken file is told, and the picture stays.
+    here.save("one.toml", &format!("colour = 1\n{good}"))?;
+    let told = "one.toml:1: colour: a scene has no such key";
+    let shot = window.wait_for("the error", |shot| shot.says(told, ERROR))?;
+    assert!(shot.shows(&oled), "the last good picture stays");
+    let mended = good.replace("fovy_deg = 33", "fovy_deg = 50");
+    assert_ne!(mended, good);
+    here.save("one.toml", &mended)?;
+    let wider = here.rendered(&[&["one.toml"][..], &on_oled].concat())?;
+    assert!(wider != oled);
+    window.wait_for("the mended scene", |shot| {
+        shot.shows(&wider) && !shot.says(told, ERROR)
+    })?;
+
+    // Another display, and another scene.
+    window.press('d'.into())?;
+    let tft = here.rendered(&["one.toml", "--display", "st7735", "--scale", "3"])?;
+    window.wait_for("the scene on the TFT", |shot| shot.shows(&tft))?;
+    window.press('n'.into())?;
+    let tft = here.rendered(&["two.toml", "--display", "st7735", "--scale", "3"])?;
+    window.wait_for("the other scene", |shot| shot.shows(&tft))?;
+
+    window.press('h'.into())?;
+    window.wait_for("help", |shot| shot.says("q, Esc  quit", PLAIN))?;
+    window.press('q'.into())?;
+    assert!(sim.0.wait()?.success());
+    Ok(())
+}

@@ -1,0 +1,298 @@
+//! Smooth edges: more rays where neighboring pixels differ (Whitted 1980).
+//!
+//! A ray goes through the center of each pixel. Where the surface, its
+//! material, the light on it or the color is another than in a pixel beside,
+//! above or below, a fixed pattern of rays follows, and the pixel is the mean.
+//! Whitted sampled corners and divided pixels again and again; centers are what
+//! a picture without smooth edges consists of, so all other pixels stay as they
+//! are, and a fixed pattern needs no memory but two lines.
+
+mod error;
+mod key;
+mod pattern;
+mod sample;
+
+pub use error::AntialiasError;
+pub use pattern::Samples;
+pub use sample::Sample;
+
+use embedded_graphics_core::draw_target::DrawTarget;
+use embedded_graphics_core::geometry::{Point, Size};
+use embedded_graphics_core::primitives::Rectangle;
+
+use crate::camera::View;
+use crate::coverage::Coverage;
+use crate::num::Radiance;
+use crate::observer::Observer;
+use crate::tracer::{Scratch, trace};
+use crate::{Color, Output, Pixel, PreparedScene};
+use key::Keyed;
+use pattern::{GRID, MAX_SIDE};
+
+/// Draws a scene with smooth edges, line by line.
+///
+/// It takes 2.3 KB, and of the caller's memory a [`Sample`] of 16 bytes for each pixel of
+/// two lines: 10 KB at a width of 320. Samples are clipped to 0..=1 before their mean is taken:
+/// a highlight shows no brighter than white, so its edge against white would else stay jagged.
+///
+/// ```
+/// use embedded_graphics::mock_display::MockDisplay;
+/// use embedded_graphics::{pixelcolor::Rgb888, prelude::*};
+/// use whitted::{Antialiased, Camera, Real, Sample, Samples, Scene, SceneBuffer, Vec3};
+///
+/// let camera = Camera::new(Vec3::lit("0", "2", "8"), Vec3::lit("0", "1", "0"), Real::lit("33"));
+/// let mut buffer = SceneBuffer::<1, 1, 1>::new();
+/// let scene = buffer.prepare(&Scene::new(camera)).unwrap();
+///
+/// let mut display = MockDisplay::<Rgb888>::new();
+/// let mut memory = [Sample::BLACK; 2 * 64];
+/// Antialiased::new(&scene, display.size(), Samples::Four, &mut memory)
+///     .unwrap()
+///     .draw(&mut display)
+///     .unwrap();
+/// ```
+#[derive(Debug)]
+pub struct Antialiased<'s, 'm, O: Observer = ()> {
+    scene: &'s PreparedScene<'s>,
+    view: View,
+    /// The same with [`GRID`] pixels for each of the picture, in both directions.
+    fine: View,
+    samples: Samples,
+    /// The even and the odd line that were traced last.
+    lines: [&'m mut [Sample]; 2],
+    /// The line that was finished last; the one below it is traced.
+    finished: Option<u32>,
+    scratch: Scratch,
+    coverage: Coverage,
+    output: Output,
+    observer: Keyed<O>,
+}
+
+impl<'s, 'm> Antialiased<'s, 'm> {
+    /// A renderer of a picture of `size` pixels, at most 8191 a side, which takes twice its width
+    /// of `memory`.
+    ///
+    /// # Errors
+    /// The memory is too small, or the picture too large.
+    pub fn new(
+        scene: &'s PreparedScene<'s>,
+        size: Size,
+        samples: Samples,
+        memory: &'m mut [Sample],
+    ) -> Result<Self, AntialiasError> {
+        Self::with_observer(scene, size, samples, memory, ())
+    }
+}
+
+impl<'s, 'm, O: Observer> Antialiased<'s, 'm, O> {
+    /// The same, telling an observer of every ray.
+    ///
+    /// # Errors
+    /// As those of [`Antialiased::new`].
+    pub fn with_observer(
+        scene: &'s PreparedScene<'s>,
+        size: Size,
+        samples: Samples,
+        memory: &'m mut [Sample],
+        observer: O,
+    ) -> Result<Self, AntialiasError> {
+        let Size { width, height } = size;
+        if width.max(height) > MAX_SIDE {
+            return Err(AntialiasError::TooLarge);
+        }
+        let needed = AntialiasError::TooLittleMemory {
+            samples: 2 * width as usize,
+        };
+        let (even, rest) = memory.split_at_mut_checked(width as usize).ok_or(needed)?;
+        let odd = rest.get_mut(..width as usize).ok_or(needed)?;
+        Ok(Self {
+            scene,
+            view: View::new(&scene.settings.camera, width, height),
+            fine: View::new(&scene.settings.camera, GRID * width, GRID * height),
+            samples,
+            lines: [even, odd],
+            finished: None,
+            scratch: Scratch::default(),
+            coverage: Coverage::default(),
+            output: Output::default(),
+            observer: Keyed::new(observer),
+        })
+    }
+
+    /// What the observer has seen so far.
+    pub fn observer(&self) -> &O {
+        &self.observer.inner
+    }
+
+    /// How the picture is shown on the display.
+    pub fn output(&self) -> Output {
+        self.output
+    }
+
+    /// Shows what is drawn from now on in another way.
+    pub fn set_output(&mut self, output: Output) {
+        self.output = output;
+    }
+
+    /// The size of the picture.
+    pub fn size(&self) -> Size {
+        Size::new(self.view.width, self.view.height)
+    }
+
+    /// The linear colors of line `y`, clipped to 0..=1. A line outside of the picture is empty.
+    ///
+    /// Lines may be asked for in any order and again and are always the same. From top to bottom
+    /// each is traced once; the last one again costs nothing, any other what three lines cost.
+    pub fn line(&mut self, y: u32) -> impl Iterator<Item = Color<Radiance>> {
+        self.finish(y);
+        let line = &self.lines[y as usize % 2];
+        let count = if y < self.view.height { line.len() } else { 0 };
+        line.iter().take(count).map(Sample::color)
+    }
+
+    /// Traces line `y` into a slice, as [`Renderer::render_line`](crate::Renderer::render_line)
+    /// does.
+    pub fn render_line<P: Pixel>(&mut self, y: u32, line: &mut [P]) {
+        for (pixel, color) in line.iter_mut().zip(self.shown(y)) {
+            *pixel = color;
+        }
+    }
+
+    /// Draws line `y` by one call of `fill_contiguous`.
+    ///
+    /// # Errors
+    /// The display's own; the line can then be drawn again at no further cost.
+    pub fn draw_line<D>(&mut self, y: u32, target: &mut D) -> Result<(), D::Error>
+    where
+        D: DrawTarget,
+        D::Color: Pixel,
+    {
+        let row = Rectangle::new(Point::new(0, y as i32), Size::new(self.size().width, 1));
+        target.fill_contiguous(&row, self.shown(y))
+    }
+
+    /// Draws the whole picture, top to bottom.
+    ///
+    /// # Errors
+    /// The display's own, at once.
+    pub fn draw<D>(&mut self, target: &mut D) -> Result<(), D::Error>
+    where
+        D: DrawTarget,
+        D::Color: Pixel,
+    {
+        (0..self.size().height).try_for_each(|y| self.draw_line(y, target))
+    }
+
+    /// Line `y` as a display shows it, from left to right.
+    fn shown<P: Pixel>(&mut self, y: u32) -> impl Iterator<Item = P> {
+        let output = self.output;
+        let mut at = Point::new(0, y as i32);
+        self.line(y).map(move |color| {
+            let pixel = P::show(color, at, output);
+            at.x += 1;
+            pixel
+        })
+    }
+
+    /// Brings line `y` to what is shown.
+    fn finish(&mut self, y: u32) {
+        if y >= self.view.height || self.finished == Some(y) {
+            return;
+        }
+        let above = y.checked_sub(1);
+        if above.is_none() || self.finished != above {
+            if let Some(above) = above {
+                self.trace_line(above);
+            }
+            self.trace_line(y);
+            if above.is_some() {
+                self.compare();
+            }
+        }
+        if y + 1 < self.view.height {
+            self.trace_line(y + 1);
+            self.compare();
+        }
+        self.refine(y);
+        self.finished = Some(y);
+    }
+
+    /// Traces line `y` through the centers of its pixels, and compares neighbors.
+    fn trace_line(&mut self, y: u32) {
+        self.coverage.look(self.scene, &self.view, y);
+        let line = &mut *self.lines[y as usize % 2];
+        for ((x, ray), sample) in (0..).zip(self.view.line(y)).zip(&mut *line) {
+            let candidates = self.coverage.at(x);
+            let (scratch, observer) = (&mut self.scratch, &mut self.observer);
+            let color = trace(self.scene, &ray, candidates, scratch, observer);
+            *sample = Sample::new(color, self.observer.key);
+        }
+        let mut pixels = line.iter_mut();
+        let Some(mut left) = pixels.next() else {
+            return;
+        };
+        for right in pixels {
+            left.compare(right);
+            left = right;
+        }
+    }
+
+    /// Compares the two lines.
+    fn compare(&mut self) {
+        let [even, odd] = &mut self.lines;
+        for (a, b) in even.iter_mut().zip(odd.iter_mut()) {
+            a.compare(b);
+        }
+    }
+
+    /// Traces the pattern of rays through each pixel of line `y` at an edge.
+    fn refine(&mut self, y: u32) {
+        let line = &mut *self.lines[y as usize % 2];
+        let share = self.samples.share();
+        let mut any = false;
+        for sample in line.iter_mut().filter(|sample| sample.is_edge()) {
+            sample.start(share);
+            any = true;
+        }
+        if !any {
+            return;
+        }
+        for (row, columns) in (0..).zip(self.samples.rows()) {
+            if columns.is_empty() {
+                continue;
+            }
+            let row = GRID * y + row;
+            self.coverage.look(self.scene, &self.fine, row);
+            let mut rays = self.fine.line(row);
+            let mut passed = 0;
+            let edges = (0..).zip(&mut *line).filter(|(_, it)| it.is_edge());
+            for (x, sample) in edges {
+                for column in *columns {
+                    let at = GRID * x + column;
+                    rays.skip_to(at - passed);
+                    passed = at + 1;
+                    let Some(ray) = rays.next() else {
+                        continue;
+                    };
+                    let candidates = self.coverage.at(at);
+                    let (scratch, observer) = (&mut self.scratch, &mut self.observer);
+                    let color = trace(self.scene, &ray, candidates, scratch, observer);
+                    sample.add(color, share);
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What the documentation of [`Antialiased`] says; less where pointers are short.
+    #[test]
+    fn it_takes_as_many_bytes_as_documented() {
+        assert_eq!(size_of::<Sample>(), 16);
+        let size = size_of::<Antialiased<'_, '_>>();
+        assert!(size <= 2450, "{size}");
+    }
+}

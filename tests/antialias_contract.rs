@@ -1,0 +1,276 @@
+//! What smooth edges promise, apart from how smooth they are: lines are the same
+//! however they are asked for, and rays are spent at edges only.
+
+#![allow(clippy::unwrap_used)]
+
+use embedded_graphics::pixelcolor::Rgb888;
+use embedded_graphics::prelude::*;
+use embedded_graphics::primitives::Rectangle;
+use whitted::{
+    AntialiasError, Antialiased, Axis, Background, Camera, Color, Light, Material, MaterialId,
+    Object, Radiance, Real, Renderer, Sample, Samples, Scene, SceneBuffer, Stats, Texture, Vec3,
+};
+
+const DULL: Material = Material {
+    kd: Color::lit("0.7", "0.7", "0.7"),
+    ..Material::BLACK
+};
+
+const SCENE: Scene = Scene {
+    lights: &[Light::point(
+        Vec3::lit("-6", "11", "7"),
+        Color::gray(Real::ONE),
+    )],
+    materials: &[DULL, DULL],
+    objects: &[
+        Object::sphere(Vec3::lit("0", "1", "0"), Real::ONE, MaterialId(0)),
+        Object::floor(Real::ZERO, Texture::Uniform(MaterialId(1))),
+    ],
+    ..Scene::new(Camera::new(
+        Vec3::lit("0", "2", "8"),
+        Vec3::lit("0", "1", "0"),
+        Real::lit("33"),
+    ))
+};
+
+const SIZE: Size = Size::new(40, 30);
+type Memory = [Sample; 2 * SIZE.width as usize];
+const MEMORY: Memory = [Sample::BLACK; 2 * SIZE.width as usize];
+type Buffer = SceneBuffer<2, 1, 2>;
+
+fn all_lines(scene: &Scene<'_>, samples: Samples) -> (Vec<Vec<Color<Radiance>>>, Stats) {
+    let mut buffer = Buffer::new();
+    let scene = buffer.prepare(scene).unwrap();
+    let mut memory = MEMORY;
+    let mut renderer =
+        Antialiased::with_observer(&scene, SIZE, samples, &mut memory, Stats::default()).unwrap();
+    let lines = (0..SIZE.height)
+        .map(|y| renderer.line(y).collect())
+        .collect();
+    (lines, *renderer.observer())
+}
+
+#[test]
+fn lines_are_the_same_in_any_order() {
+    for samples in [Samples::Four, Samples::Sixteen] {
+        let (lines, _) = all_lines(&SCENE, samples);
+        let mut buffer = Buffer::new();
+        let scene = buffer.prepare(&SCENE).unwrap();
+        let mut memory = MEMORY;
+        let mut renderer = Antialiased::new(&scene, SIZE, samples, &mut memory).unwrap();
+        let back = (0..SIZE.height).rev();
+        let again = [0, 0, 1, 0, 2, 3, 3, 4, 29, 29, 0, 15, 17, 16];
+        for y in back.chain(again) {
+            let line: Vec<_> = renderer.line(y).collect();
+            assert_eq!(line, lines[y as usize], "line {y}");
+        }
+        assert_eq!(renderer.line(SIZE.height).count(), 0);
+        assert_eq!(renderer.line(u32::MAX).count(), 0);
+        assert_eq!(renderer.line(3).count(), SIZE.width as usize);
+    }
+}
+
+#[test]
+fn other_pixels_are_those_of_a_plain_picture() {
+    let (lines, stats) = all_lines(&SCENE, Samples::Four);
+    let mut buffer = Buffer::new();
+    let scene = buffer.prepare(&SCENE).unwrap();
+    let mut renderer = Renderer::new(&scene, SIZE);
+    let mut changed = 0;
+    for (y, line) in (0..).zip(&lines) {
+        changed += renderer.line(y).zip(line).filter(|(a, b)| a != *b).count();
+    }
+    let pixels = SIZE.width * SIZE.height;
+    let edges = (stats.eye - pixels) / 4;
+    assert_eq!((stats.eye - pixels) % 4, 0);
+    assert!((50..pixels / 3).contains(&edges), "{edges}");
+    assert!(changed <= edges as usize && changed > edges as usize / 2);
+}
+
+#[test]
+fn sixteen_rays_go_through_the_pixels_that_four_go_through() {
+    let [four, sixteen] = [Samples::Four, Samples::Sixteen].map(|samples| {
+        let (_, stats) = all_lines(&SCENE, samples);
+        stats.eye - SIZE.width * SIZE.height
+    });
+    assert_eq!(sixteen, 4 * four);
+}
+
+/// The rays that are more than one a pixel.
+fn more(scene: &Scene<'_>) -> u32 {
+    all_lines(scene, Samples::Four).1.eye - SIZE.width * SIZE.height
+}
+
+#[test]
+fn each_difference_makes_an_edge_and_nothing_else_does() {
+    let dim = Background::Solid(Color::lit("0.01", "0.01", "0.01"));
+    let floor = [Object::floor(Real::ZERO, Texture::Uniform(MaterialId(0)))];
+    let plain = Scene {
+        background: dim,
+        objects: &[],
+        ..SCENE
+    };
+    assert_eq!(more(&plain), 0);
+
+    // An object, if it looks like what is behind it.
+    let dark = Scene {
+        lights: &[],
+        objects: &floor,
+        ..plain
+    };
+    let horizon = more(&dark);
+    assert_eq!(horizon, 4 * 2 * SIZE.width);
+
+    // Two materials that look alike.
+    let board = Texture::Checker {
+        axes: [Axis::X, Axis::Z],
+        size: Real::lit("2"),
+        materials: [MaterialId(0), MaterialId(1)],
+    };
+    let tiled = Scene {
+        objects: &[Object::floor(Real::ZERO, board)],
+        ..dark
+    };
+    assert!(more(&tiled) > 2 * horizon);
+
+    // A shadow, of light that can hardly be seen.
+    let faint = [Light::point(
+        Vec3::lit("-6", "11", "7"),
+        Color::lit("0.001", "0.001", "0.001"),
+    )];
+    let ball = [SCENE.objects[0], floor[0]];
+    let unlit = Scene {
+        objects: &ball,
+        ..dark
+    };
+    let lit = Scene {
+        lights: &faint,
+        ..unlit
+    };
+    assert!(more(&lit) > more(&unlit) + 40);
+
+    // Color, and that of one surface, if it changes fast.
+    let sky = Scene {
+        background: Background::Gradient {
+            horizon: Color::gray(Real::ZERO),
+            zenith: Color::gray(Real::ONE),
+        },
+        ..plain
+    };
+    assert_eq!(more(&sky), 0);
+    let wide = Camera {
+        fovy_deg: Real::lit("120"),
+        ..SCENE.camera
+    };
+    let steep = Scene {
+        camera: wide,
+        ..sky
+    };
+    assert!(more(&steep) > 4 * SIZE.width);
+}
+
+#[test]
+fn every_size_works() {
+    let mut buffer = Buffer::new();
+    let scene = buffer.prepare(&SCENE).unwrap();
+    for (width, height) in [(0, 0), (0, 5), (5, 0), (1, 1), (40, 1), (1, 40), (39, 41)] {
+        let mut memory = MEMORY;
+        let size = Size::new(width, height);
+        let renderer = Antialiased::new(&scene, size, Samples::Sixteen, &mut memory);
+        let mut renderer = renderer.unwrap();
+        for y in 0..height {
+            assert_eq!(renderer.line(y).count(), width as usize);
+        }
+    }
+}
+
+#[test]
+fn too_little_memory_and_too_large_a_picture_are_errors() {
+    let mut buffer = Buffer::new();
+    let scene = buffer.prepare(&SCENE).unwrap();
+    let mut memory = MEMORY;
+    let mut error = |size, count: usize| {
+        let memory = &mut memory[..count];
+        Antialiased::new(&scene, size, Samples::Four, memory).err()
+    };
+    let needs = |samples| Some(AntialiasError::TooLittleMemory { samples });
+    assert_eq!(error(SIZE, 80), None);
+    assert_eq!(error(SIZE, 79), needs(80));
+    assert_eq!(error(SIZE, 0), needs(80));
+    assert_eq!(
+        error(Size::new(8192, 1), 80),
+        Some(AntialiasError::TooLarge)
+    );
+    assert_eq!(error(Size::new(1, 8191), 80), None);
+    assert_eq!(
+        error(Size::new(1, u32::MAX), 80),
+        Some(AntialiasError::TooLarge)
+    );
+    let said = AntialiasError::TooLittleMemory { samples: 80 }.to_string();
+    assert_eq!(said, "the memory is too small: give it 80 samples");
+}
+
+/// Fails at every second line, once.
+#[derive(Default)]
+struct Shaky {
+    lines: Vec<Vec<Rgb888>>,
+    failed: bool,
+}
+
+#[derive(Debug, PartialEq)]
+struct Shaken;
+
+impl OriginDimensions for Shaky {
+    fn size(&self) -> Size {
+        SIZE
+    }
+}
+
+impl DrawTarget for Shaky {
+    type Color = Rgb888;
+    type Error = Shaken;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb888>>>(&mut self, _: I) -> Result<(), Shaken> {
+        panic!("pixel by pixel")
+    }
+
+    fn fill_contiguous<I: IntoIterator<Item = Rgb888>>(
+        &mut self,
+        area: &Rectangle,
+        colors: I,
+    ) -> Result<(), Shaken> {
+        assert_eq!(area.top_left, Point::new(0, self.lines.len() as i32));
+        if self.lines.len() % 2 == 1 && !self.failed {
+            // In the middle of the line.
+            colors.into_iter().take(17).for_each(drop);
+            self.failed = true;
+            return Err(Shaken);
+        }
+        self.failed = false;
+        self.lines.push(colors.into_iter().collect());
+        Ok(())
+    }
+}
+
+#[test]
+fn a_line_that_failed_can_be_drawn_again_for_nothing() {
+    let (_, once) = all_lines(&SCENE, Samples::Four);
+    let mut buffer = Buffer::new();
+    let scene = buffer.prepare(&SCENE).unwrap();
+    let mut memory = MEMORY;
+    let stats = Stats::default();
+    let renderer = Antialiased::with_observer(&scene, SIZE, Samples::Four, &mut memory, stats);
+    let mut renderer = renderer.unwrap();
+    let mut display = Shaky::default();
+    for y in 0..SIZE.height {
+        if renderer.draw_line(y, &mut display).is_err() {
+            renderer.draw_line(y, &mut display).unwrap();
+        }
+    }
+    assert_eq!(*renderer.observer(), once);
+    for (y, shown) in (0..).zip(&display.lines) {
+        let mut line = [Rgb888::BLACK; SIZE.width as usize];
+        renderer.render_line(y, &mut line);
+        assert_eq!(shown.as_slice(), line, "line {y}");
+    }
+}

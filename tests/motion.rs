@@ -1,0 +1,273 @@
+//! A camera that moves: on a prepared or decoded scene it draws what preparing
+//! the scene anew would.
+
+#![allow(clippy::unwrap_used)]
+
+use embedded_graphics::geometry::Size;
+use whitted::{Camera, Item, PreparedScene, Problem, Real, Renderer, SceneBuffer, Vec3};
+use whitted_sim::{picture::Picture, render, scene_file};
+
+const SIZE: Size = Size::new(64, 48);
+
+fn scene(name: &str) -> scene_file::SceneFile {
+    scene_file::load(format!("{}/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"))).unwrap()
+}
+
+fn draw(scene: &PreparedScene<'_>) -> Picture {
+    render::linear(scene, SIZE)
+}
+
+fn distance(from: Vec3<Real>, to: Vec3<Real>) -> f64 {
+    let [x, y, z] = [from.x - to.x, from.y - to.y, from.z - to.z].map(|c| c.to_num::<f64>());
+    x.hypot(y).hypot(z)
+}
+
+/// Cameras between those of the scene and its light, which leave the scale as
+/// it is.
+fn cameras(camera: Camera) -> impl Iterator<Item = Camera> {
+    (1..=4).map(move |step| Camera {
+        eye: Vec3 {
+            x: camera.eye.x - Real::from(step) / 2,
+            y: camera.eye.y + Real::from(step) / 4,
+            ..camera.eye
+        },
+        look_at: Vec3 {
+            y: camera.look_at.y + Real::from(step) / 8,
+            ..camera.look_at
+        },
+        fovy_deg: camera.fovy_deg + Real::from(step),
+        ..camera
+    })
+}
+
+#[test]
+fn a_moved_camera_draws_what_preparing_anew_draws() {
+    let file = scene("whitted");
+    let mut buffer = Box::new(scene_file::Buffer::new());
+    let mut other = Box::new(scene_file::Buffer::new());
+    let mut third = Box::new(scene_file::Buffer::new());
+    let bytes = scene_file::compile(concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/whitted.toml"));
+    let mut moved = file.prepare(&mut buffer).unwrap();
+    let mut decoded = third.decode(&bytes.unwrap()).unwrap();
+    let first = draw(&moved);
+    assert_eq!(decoded.camera(), file.scene().camera);
+    for camera in cameras(decoded.camera()) {
+        moved.set_camera(&camera).unwrap();
+        decoded.set_camera(&camera).unwrap();
+        let anew = whitted::Scene {
+            camera,
+            ..file.scene()
+        };
+        let anew = draw(&other.prepare(&anew).unwrap());
+        assert!(anew != first);
+        assert!(draw(&moved) == anew);
+        assert!(draw(&decoded) == anew);
+    }
+    moved.set_camera(&file.scene().camera).unwrap();
+    assert!(draw(&moved) == first);
+}
+
+#[test]
+fn a_moved_scene_can_be_encoded() {
+    let file = scene("whitted");
+    let mut buffer = Box::new(scene_file::Buffer::new());
+    let mut other = Box::new(scene_file::Buffer::new());
+    let mut moved = file.prepare(&mut buffer).unwrap();
+    // Behind all that the scale was found for.
+    let behind = file.scene().camera.orbited(Real::from(180), Real::from(30));
+    moved.set_camera(&behind).unwrap();
+    let mut bytes = vec![0; moved.encoded_len()];
+    moved.encode(&mut bytes).unwrap();
+    let decoded = other.decode(&bytes).unwrap();
+    assert!(draw(&decoded) == draw(&moved));
+    assert_eq!(decoded.camera(), behind);
+}
+
+/// Another scale, or none that differs by more than roundings.
+#[test]
+fn an_orbit_differs_from_preparing_anew_by_roundings_only() {
+    for name in ["whitted", "every_surface", "sphereflake_3", "four_spheres"] {
+        let file = scene(name);
+        let mut buffer = Box::new(scene_file::Buffer::new());
+        let mut other = Box::new(scene_file::Buffer::new());
+        let mut moved = file.prepare(&mut buffer).unwrap();
+        for yaw in (0..360).step_by(30) {
+            let camera = file.scene().camera.orbited(yaw.into(), Real::ZERO);
+            moved.set_camera(&camera).unwrap();
+            let anew = whitted::Scene {
+                camera,
+                ..file.scene()
+            };
+            let (moved, anew) = (draw(&moved), draw(&other.prepare(&anew).unwrap()));
+            let differ = |(a, b): &(&whitted::Color<u16>, &whitted::Color<u16>)| {
+                a.r.abs_diff(b.r)
+                    .max(a.g.abs_diff(b.g))
+                    .max(a.b.abs_diff(b.b))
+                    > 257
+            };
+            let pixels = moved.pixels.iter().zip(&anew.pixels);
+            let differing = pixels.filter(differ).count();
+            assert!(differing <= 3, "{name} at {yaw}: {differing} pixels");
+        }
+    }
+}
+
+fn outward(camera: Camera, by: Real) -> Vec3<Real> {
+    let way = camera.eye - camera.look_at;
+    camera.eye + Vec3::new(way.x * by, way.y * by, way.z * by)
+}
+
+/// What a line passes over is met by no ray, from as far away as the eye may go.
+#[test]
+fn a_line_has_the_colors_of_its_pixels_from_afar() {
+    let file = scene("every_surface");
+    let mut buffer = Box::new(scene_file::Buffer::new());
+    let mut moved = file.prepare(&mut buffer).unwrap();
+    let camera = file.scene().camera;
+    let mut scale = Real::ONE;
+    while moved
+        .set_camera(&Camera {
+            eye: outward(camera, scale),
+            ..camera
+        })
+        .is_ok()
+    {
+        let mut renderer = Renderer::new(&moved, SIZE);
+        for y in 0..SIZE.height {
+            let line: Vec<_> = renderer.line(y).collect();
+            let pixels: Vec<_> = (0..SIZE.width).map(|x| renderer.pixel(x, y)).collect();
+            assert_eq!(line, pixels);
+        }
+        scale += Real::lit("0.25");
+    }
+    assert!(scale > 2, "{scale}");
+}
+
+#[test]
+fn a_camera_that_cannot_be_leaves_the_scene_as_it_was() {
+    let file = scene("whitted");
+    let mut buffer = Box::new(scene_file::Buffer::new());
+    let mut moved = file.prepare(&mut buffer).unwrap();
+    let before = draw(&moved);
+    let camera = file.scene().camera;
+    let bad = [
+        (
+            Camera {
+                eye: Vec3::lit("0", "0", "1000"),
+                ..camera
+            },
+            "eye",
+            Problem::OutOfReach,
+        ),
+        (
+            Camera {
+                look_at: camera.eye,
+                ..camera
+            },
+            "look_at",
+            Problem::NoView,
+        ),
+        (
+            Camera {
+                up: camera.eye - camera.look_at,
+                ..camera
+            },
+            "up",
+            Problem::AlongView,
+        ),
+    ];
+    for (camera, field, problem) in bad {
+        let error = moved.set_camera(&camera).unwrap_err();
+        assert_eq!(
+            (error.item, error.field, error.problem),
+            (Item::Camera, field, problem)
+        );
+        assert!(draw(&moved) == before);
+        assert_eq!(moved.camera(), file.scene().camera);
+    }
+    let narrow = Camera {
+        fovy_deg: Real::ZERO,
+        ..camera
+    };
+    let error = moved.set_camera(&narrow).unwrap_err();
+    assert_eq!(error.to_string(), "camera: fovy_deg must be from 1 to 170");
+}
+
+#[test]
+fn an_orbit_keeps_the_distance() {
+    let start = Camera::new(
+        Vec3::lit("0.2", "2.3", "8.2"),
+        Vec3::lit("0.12", "1.22", "0"),
+        Real::lit("33"),
+    );
+    let radius = distance(start.eye, start.look_at);
+    let mut camera = start;
+    for step in 0..720 {
+        camera = camera.orbited(Real::ONE, Real::from(step % 3 - 1));
+        let off = (distance(camera.eye, camera.look_at) / radius - 1.0).abs();
+        assert!(off < f64::from(step + 1) * 2_f64.powi(-28), "{step}: {off}");
+    }
+    assert_eq!(start.orbited(Real::ZERO, Real::ZERO), start);
+    assert_eq!(start.orbited(Real::from(720), Real::ZERO), start);
+}
+
+#[test]
+fn an_orbit_stops_short_of_the_poles() {
+    let start = Camera {
+        up: Vec3::lit("0.1", "3", "0.2"),
+        ..Camera::new(
+            Vec3::lit("3", "1", "4"),
+            Vec3::lit("0", "1", "0"),
+            Real::lit("33"),
+        )
+    };
+    let elevation = |camera: Camera| {
+        let way = camera.eye - camera.look_at;
+        let [x, y, z] = [way.x, way.y, way.z].map(|c| c.to_num::<f64>());
+        let along = (0.1 * x + 3.0 * y + 0.2 * z) / (0.01_f64 + 9.0 + 0.04).sqrt();
+        (along / distance(camera.eye, camera.look_at))
+            .asin()
+            .to_degrees()
+    };
+    let level = elevation(start);
+    for pitch in -400..400_i32 {
+        let right = (level + f64::from(pitch)).clamp(-89.0, 89.0);
+        let got = elevation(start.orbited(Real::from(25), Real::from(pitch)));
+        assert!((got - right).abs() < 0.12, "{pitch}: {got}, not {right}");
+    }
+    // The picture there is one still, and the way back is open.
+    let mut top = start.orbited(Real::ZERO, Real::from(100));
+    for _ in 0..10 {
+        top = top.orbited(Real::ZERO, Real::from(10));
+        assert!((elevation(top) - 89.0).abs() < 0.001);
+        assert!(
+            SceneBuffer::<1, 1, 1>::new()
+                .prepare(&whitted::Scene::new(top))
+                .is_ok()
+        );
+    }
+    let back = top.orbited(Real::ZERO, Real::from(-30));
+    assert!((elevation(back) - 59.0).abs() < 0.12);
+}
+
+#[test]
+fn what_cannot_orbit_stays() {
+    let above = Camera::new(
+        Vec3::lit("0", "5", "0"),
+        Vec3::lit("0", "1", "0"),
+        Real::lit("33"),
+    );
+    let (yaw, pitch) = (Real::from(40), Real::from(20));
+    assert_eq!(above.orbited(yaw, pitch), above);
+    let nowhere = Camera {
+        look_at: above.eye,
+        ..above
+    };
+    assert_eq!(nowhere.orbited(yaw, pitch), nowhere);
+    let endless = Camera {
+        eye: Vec3::new(Real::MAX, Real::MIN, Real::MAX),
+        look_at: Vec3::new(Real::MIN, Real::MAX, Real::MIN),
+        ..above
+    };
+    let _ = endless.orbited(Real::MAX, Real::MIN);
+}
