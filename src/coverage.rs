@@ -37,13 +37,19 @@ struct Span {
 }
 
 impl Coverage {
-    /// Finds the objects of line `y`.
+    /// Finds the objects of line `y`: the finite ones first, as all other rays look at
+    /// them, so that of two surfaces in one place the same is seen.
     pub(crate) fn look(&mut self, scene: &PreparedScene<'_>, view: &View, y: u32) {
         self.spans.clear();
         self.change = 0;
         let row = view.row(&scene.settings.camera, y);
         let whole = [0, row.width];
         let mut fits = true;
+        for around in scene.finite {
+            if let Some(columns) = columns(&around.bound(), &row) {
+                fits &= self.add(around.object, columns);
+            }
+        }
         for &object in scene.endless {
             let shape = scene.objects.get(usize::from(object)).map(|it| &it.shape);
             if let Some(Shape::Plane(plane)) = shape
@@ -52,11 +58,6 @@ impl Coverage {
                 continue;
             }
             fits &= self.add(object, whole);
-        }
-        for around in scene.finite {
-            if let Some(columns) = columns(&around.bound(), &row) {
-                fits &= self.add(around.object, columns);
-            }
         }
         self.is_complete = fits;
     }

@@ -3,6 +3,7 @@
 use core::fmt;
 
 use crate::Real;
+use crate::num::Decimal;
 
 /// Why a scene could not be prepared: which item, which of its fields, what is wrong.
 ///
@@ -119,7 +120,9 @@ impl fmt::Display for Item {
 impl fmt::Display for Problem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::OutOfRange { least, most } => write!(f, "must be from {least} to {most}"),
+            Self::OutOfRange { least, most } => {
+                write!(f, "must be from {} to {}", Decimal(*least), Decimal(*most))
+            }
             Self::NoDirection => f.write_str("must not be zero"),
             Self::NoView => f.write_str("must be another point than the eye"),
             Self::AlongView => f.write_str("must not point along the view"),

@@ -50,6 +50,7 @@ mod compiled;
 mod coverage;
 mod drawing;
 mod error;
+mod exact;
 mod intersect;
 mod num;
 mod observer;

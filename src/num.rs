@@ -12,8 +12,10 @@
 //! root start from a table of quadratics that is exact to 2^-17 and take one
 //! Newton step. The tables are computed by the compiler, in integers.
 
+mod decimal;
 mod product;
 
+pub(crate) use decimal::Decimal;
 pub(crate) use product::{Product, Square};
 
 /// An authored number: the range and precision of a scene as it is written

@@ -132,7 +132,8 @@ fn texture(texture: &scene::Texture, frame: &Frame, item: Item) -> Result<Textur
 
 /// The fraction of `dividend / divisor`, above 0, as `U0F32`, rounded down.
 fn fraction(dividend: i64, divisor: i64) -> u32 {
-    let mut remainder = dividend.rem_euclid(divisor);
+    // A size is never 0, which the compiler cannot know.
+    let mut remainder = dividend.checked_rem_euclid(divisor).unwrap_or(0);
     let mut quotient = 0;
     for _ in 0..32 {
         remainder *= 2;
@@ -152,8 +153,13 @@ fn material(material: &scene::Material, scene: &Scene<'_>, exposure: u8) -> Mate
         Radiance::from_bits(((le.to_bits() + ambient.to_bits()) >> (2 + exposure)) as u32)
     });
     let shading = material.shading.unwrap_or(scene.shading);
-    let transmits = material.kt != Color::gray(Real::ZERO);
-    let ior = if transmits { material.ior } else { Real::ONE };
+    // What is not read is not checked either, and may be anything.
+    let read = |value, color| match color == Color::gray(Real::ZERO) {
+        true => Real::ONE,
+        false => value,
+    };
+    let shininess = read(material.shininess, material.ks);
+    let ior = read(material.ior, material.kt);
     let shift = ior.to_bits().leading_zeros();
     let inverse = u64::from(reciprocal((((ior.to_bits() as u64) << shift) >> 32) as u32));
     // U1F31 * 2^(shift - 32) -> Q28
@@ -164,7 +170,7 @@ fn material(material: &scene::Material, scene: &Scene<'_>, exposure: u8) -> Mate
         ks: coefficient(material.ks),
         kr: coefficient(material.kr),
         kt: coefficient(material.kt),
-        shininess: (material.shininess.to_bits() >> 16) as u32,
+        shininess: (shininess.to_bits() >> 16) as u32,
         ior: Length::from_bits(((ior.to_bits() + 8) >> 4) as i32),
         inverse_ior: Length::from_bits(inverse as i32),
         blinn: shading == Shading::BlinnPhong,

@@ -94,7 +94,8 @@ fn every_size_works() {
 #[derive(Default)]
 struct LineDisplay {
     lines: Vec<(Rectangle, Vec<Rgb888>)>,
-    fails_at: Option<usize>,
+    /// The call, and how many pixels it takes before that.
+    fails_at: Option<(usize, usize)>,
 }
 
 #[derive(Debug, PartialEq)]
@@ -119,7 +120,10 @@ impl DrawTarget for LineDisplay {
         area: &Rectangle,
         colors: I,
     ) -> Result<(), Unplugged> {
-        if self.fails_at == Some(self.lines.len()) {
+        if let Some((call, pixels)) = self.fails_at
+            && call == self.lines.len()
+        {
+            colors.into_iter().take(pixels).for_each(drop);
             return Err(Unplugged);
         }
         self.lines.push((*area, colors.into_iter().collect()));
@@ -153,18 +157,21 @@ fn a_display_error_comes_back_and_the_line_can_be_drawn_again() {
         .draw(&mut whole)
         .unwrap();
 
-    let mut display = LineDisplay {
-        fails_at: Some(7),
-        ..LineDisplay::default()
-    };
-    let mut renderer = Renderer::new(&scene, display.size());
-    assert_eq!(renderer.draw(&mut display), Err(Unplugged));
-    assert_eq!(display.lines.len(), 7);
-    display.fails_at = None;
-    (7..30)
-        .try_for_each(|y| renderer.draw_line(y, &mut display))
-        .unwrap();
-    assert!(display.lines == whole.lines);
+    // At every call, and after each number of pixels of a line.
+    for (call, pixels) in (0..30).map(|call| (call, 0)).chain((0..40).map(|n| (7, n))) {
+        let mut display = LineDisplay {
+            fails_at: Some((call, pixels)),
+            ..LineDisplay::default()
+        };
+        let mut renderer = Renderer::new(&scene, display.size());
+        assert_eq!(renderer.draw(&mut display), Err(Unplugged));
+        assert_eq!(display.lines.len(), call);
+        display.fails_at = None;
+        (call as u32..30)
+            .try_for_each(|y| renderer.draw_line(y, &mut display))
+            .unwrap();
+        assert!(display.lines == whole.lines, "call {call}, pixel {pixels}");
+    }
 }
 
 #[test]

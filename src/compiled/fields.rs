@@ -217,13 +217,20 @@ impl Fields for Sphereflake {
         fixed(&mut radius, archive);
         fixed(&mut ratio, archive);
         depth.visit(archive);
-        *self = Self::new(Parts {
+        let parts = Parts {
             center,
             frame,
             radius,
             ratio,
             depth,
-        });
+        };
+        // What follows from the parts is only defined for valid ones; without a
+        // radius it is not valid.
+        *self = if parts.is_valid() {
+            Self::new(parts)
+        } else {
+            Self::default()
+        };
     }
 }
 

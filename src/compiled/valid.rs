@@ -1,5 +1,8 @@
 //! What tracing relies on: the range of every field.
 
+use core::ops::Neg;
+
+use fixed::traits::Fixed;
 use fixed::types::{I8F56, U0F32};
 
 use crate::num::{Factor, Length, Unit, wide};
@@ -11,14 +14,23 @@ use crate::shape::{Form, MAX_FLAKE_DEPTH, Parts, Quadric, Shape, Sphereflake};
 use crate::texture::Texture;
 use crate::{Color, Vec3};
 
+/// Whether it is within ±most. Not by `abs`, which the least number has none of.
+fn is_within<F: Fixed + Neg<Output = F>>(value: F, most: F) -> bool {
+    (-most..=most).contains(&value)
+}
+
 fn is_within_one(point: Vec3<Length>) -> bool {
-    point.all(|c| c.abs() <= Length::ONE)
+    point.all(|c| is_within(c, Length::ONE))
 }
 
 fn is_unit(v: Vec3<Unit>) -> bool {
-    // Within 2^-20 of 1.
-    let excess = v.dot(v).to_bits() - (1 << 60);
-    v.all(|c| c.abs() <= Unit::ONE) && excess.abs() < 1 << 40
+    // Within 2^-20 of 1; components beyond 1 would overflow.
+    v.all(|c| is_within(c, Unit::ONE)) && (v.dot(v).to_bits() - (1 << 60)).abs() < 1 << 40
+}
+
+/// Whether unit vectors are at right angles, to 2^-20.
+fn are_square(u: Vec3<Unit>, v: Vec3<Unit>) -> bool {
+    is_within(u.cosine(v), Unit::DELTA * (1 << 10))
 }
 
 /// A radius.
@@ -43,6 +55,9 @@ impl Settings {
         } = self.camera;
         eye.all(|c| c.to_bits().abs() <= NEAR)
             && [forward, right, up].into_iter().all(is_unit)
+            && are_square(forward, right)
+            && are_square(right, up)
+            && are_square(up, forward)
             && (1..12 << 28).contains(&tangent)
             && self.frame.is_valid()
             && are_factors([self.horizon, self.zenith])
@@ -108,14 +123,15 @@ impl Quadric {
             }
             Form::Cylinder(form) => is_size(form.radius),
             Form::Cone(form) => {
-                squeeze.contains(&form.radial)
-                    && squeeze.contains(&form.axial.abs())
-                    && form.radial.max(form.axial.abs()) <= Unit::ONE / 2
-                    && form.radius.abs() <= Length::ONE
+                let half = Unit::ONE / 2;
+                (Unit::DELTA..=half).contains(&form.radial)
+                    && form.axial != 0
+                    && is_within(form.axial, half)
+                    && is_within(form.radius, Length::ONE)
             }
             Form::Paraboloid(form) => {
                 self.clamp.is_some()
-                    && form.radius_squared.abs() <= I8F56::ONE
+                    && is_within(form.radius_squared, I8F56::ONE)
                     && form.squeeze <= 2
                     && form.focus <= 31
             }
@@ -123,24 +139,26 @@ impl Quadric {
         form && is_within_one(self.center)
             && self
                 .clamp
-                .is_none_or(|ends| ends.into_iter().all(|y| y.abs() <= Length::ONE))
+                .is_none_or(|ends| ends.into_iter().all(|y| is_within(y, Length::ONE)))
     }
 }
 
 impl Parts {
-    fn is_valid(&self) -> bool {
+    pub(super) fn is_valid(&self) -> bool {
         let [u, v] = self.frame;
-        let reach = wide(
-            self.radius.to_bits(),
-            Sphereflake::bound(self.ratio, self.depth).to_bits() as u32,
-        );
         is_within_one(self.center)
             && is_unit(u)
             && is_unit(v)
-            && u.cosine(v).abs() <= Unit::DELTA * (1 << 10)
+            && are_square(u, v)
             && self.depth <= MAX_FLAKE_DEPTH
             && (const { U0F32::lit("0.099") }..=const { U0F32::lit("0.5") }).contains(&self.ratio)
             && self.radius > 0
-            && reach <= 1 << 61
+            && self.reach() <= 1 << 61
+    }
+
+    /// How far the flake reaches, Q61.
+    fn reach(&self) -> u64 {
+        let bound = Sphereflake::bound(self.ratio, self.depth);
+        wide(self.radius.to_bits(), bound.to_bits() as u32)
     }
 }

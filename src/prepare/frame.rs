@@ -63,12 +63,9 @@ impl Extent {
                 let radii = y.map(|y| cone_radius(radius, height, y).abs());
                 self.add_rings(origin, y, radii);
             }
-            Shape::Paraboloid {
-                origin,
-                y: [low, high],
-            } => {
-                let y = [low.max(Real::ZERO), high];
-                self.add_rings(origin, y, y.map(root));
+            Shape::Paraboloid { origin, y } => {
+                let y = paraboloid_ends(y);
+                self.add_rings(origin, y, y.map(|y| root(y.max(Real::ZERO))));
             }
             Shape::Sphereflake {
                 center,
@@ -100,6 +97,12 @@ impl Extent {
 /// The fraction of a number.
 pub(super) fn below_one(x: Real) -> U0F32 {
     U0F32::from_bits(x.to_bits() as u32)
+}
+
+/// Where a paraboloid ends that is told to end so: below its vertex there is
+/// nothing to bound, but for what keeps the vertex whole.
+pub(super) fn paraboloid_ends([low, high]: [Real; 2]) -> [Real; 2] {
+    [low.max(-(high >> 10_u32)), high]
 }
 
 /// The radius of a cone at a height, below 0 beyond the apex, in the bits of a

@@ -12,7 +12,7 @@ use crate::shape::{
 use crate::vector::direction;
 use crate::{Item, Problem, Real, SceneError, Vec3};
 
-use super::frame::{below_one, cone_radius};
+use super::frame::{below_one, cone_radius, paraboloid_ends};
 use super::range::{self, fail};
 
 pub(super) fn shape(shape: &scene::Shape, frame: &Frame, item: Item) -> Result<Shape, SceneError> {
@@ -75,6 +75,7 @@ pub(super) fn shape(shape: &scene::Shape, frame: &Frame, item: Item) -> Result<S
         }
         scene::Shape::Paraboloid { origin, y } => {
             range::least_rise(item, y, frame)?;
+            let y = paraboloid_ends(y);
             let form = Form::Paraboloid(paraboloid(middle(y), frame));
             Ok(clamped(origin, y, frame, form))
         }

@@ -34,7 +34,7 @@ pub const V8M: &str = "thumbv8m.main-none-eabihf";
 pub const TARGETS: [&str; 4] = [V6M, V7M, V7EM, V8M];
 
 /// What the root manifest calls the profile for microcontrollers.
-const PROFILE: &str = "firmware";
+pub(crate) const PROFILE: &str = "firmware";
 
 /// The board with the OLED.
 pub const LM3S6965EVB: Firmware = Firmware {
@@ -84,6 +84,15 @@ const fn motion(target: &'static str) -> Firmware {
 pub(crate) const fn float(target: &'static str) -> Firmware {
     Firmware {
         package: "float",
+        target,
+        features: "",
+    }
+}
+
+/// Links only if nothing of the library may panic.
+pub(crate) const fn nopanic(target: &'static str) -> Firmware {
+    Firmware {
+        package: "nopanic",
         target,
         features: "",
     }

@@ -11,6 +11,7 @@ pub mod oled;
 pub mod pico;
 pub mod povray;
 pub mod profile;
+pub mod prove;
 pub mod qemu;
 pub mod report;
 pub mod size;
@@ -19,6 +20,7 @@ pub mod tidy;
 
 mod command;
 mod qmp;
+mod steps;
 mod symbols;
 mod tools;
 

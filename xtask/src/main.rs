@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use anyhow::{Result, bail};
 use lexopt::prelude::*;
 use xtask::qemu::{Arithmetic, Core, Machine};
-use xtask::{bench, board, firmware, model, oled, pico, povray, profile, size, test, tidy};
+use xtask::{bench, board, firmware, model, oled, pico, povray, profile, prove, size, test, tidy};
 
 const HELP: &str = "\
 cargo xtask TASK
@@ -15,6 +15,8 @@ cargo xtask TASK
                         of these words. Installs the tools that are missing. The
                         steps `boards` and `pico`, firmware for displays in
                         emulators, build long and run by name only.
+  prove [PROMISE...]    What firmware relies on, proven as far as can be; or the promises
+                        whose names contain one of these words. Writes docs/trust.md.
   qemu [SCENE] [--shot FILE.png] [--window]
                         Draws a scene on the OLED of the LM3S6965 board, in QEMU;
                         takes a screenshot, or shows the display in a window, where
@@ -66,6 +68,7 @@ fn task() -> Result<()> {
     let options = Options::parse(&mut arguments)?;
     match task.as_str() {
         "test" => test::run(&options.values),
+        "prove" => prove::run(&options.values),
         "qemu" => on_the_oled(&options),
         "headless" => headless(&options),
         "bench" => bench(&options),

@@ -1,16 +1,14 @@
 //! All checks and tests, in the order in which a person would want to know.
 
-use std::time::{Duration, Instant};
-
-use anyhow::{Result, bail};
+use anyhow::Result;
 
 use crate::command::{self, cargo, command};
 use crate::firmware::{V6M, V7M};
+use crate::prove::panics;
+use crate::steps::{self, Step};
 use crate::{bench, board, pico, tidy, tools};
 
-type Step = (&'static str, fn() -> Result<()>);
-
-const STEPS: [Step; 10] = [
+const STEPS: [Step; 11] = [
     ("tools", tools::install),
     ("format", format),
     ("tidy", tidy::run),
@@ -19,6 +17,7 @@ const STEPS: [Step; 10] = [
     ("docs", docs),
     ("test-host", test_host),
     ("test-window", test_window),
+    ("nopanic", panics::link_all),
     ("test-qemu", test_qemu),
     ("budget", bench::check),
 ];
@@ -28,45 +27,13 @@ const STEPS: [Step; 10] = [
 const BOARD_STEPS: [Step; 2] = [("boards", test_boards), ("pico", pico::check)];
 
 /// Runs the steps whose names contain one of the words, or all but those of
-/// boards. A step that fails does not keep the ones after it from running.
+/// boards.
 pub fn run(words: &[String]) -> Result<()> {
-    let named = |name: &str| words.iter().any(|word| name.contains(word));
-    let is_all = |name: &str| words.is_empty() && BOARD_STEPS.iter().all(|(it, _)| *it != name);
-    let chosen = |name: &str| is_all(name) || named(name);
-    let mut summary = Vec::new();
-    for (name, step) in STEPS.into_iter().chain(BOARD_STEPS) {
-        if !chosen(name) {
-            summary.push((name, "not run", Duration::ZERO));
-            continue;
-        }
-        println!("==> {name}");
-        let start = Instant::now();
-        let outcome = match step() {
-            Ok(()) => "ok",
-            Err(error) => {
-                eprintln!("error: {error:#}");
-                "FAILED"
-            }
-        };
-        let time = start.elapsed();
-        println!("<== {name}: {outcome}, {:.1} s", time.as_secs_f32());
-        summary.push((name, outcome, time));
-        // Nothing works without the tools.
-        if name == "tools" && outcome != "ok" {
-            break;
-        }
+    if words.is_empty() {
+        return steps::run(&STEPS, words);
     }
-    println!("\nsummary");
-    for (name, outcome, time) in &summary {
-        println!("  {name:12} {outcome:8} {:6.1} s", time.as_secs_f32());
-    }
-    if summary.iter().any(|(_, outcome, _)| *outcome == "FAILED") {
-        bail!("not all steps passed");
-    }
-    if !summary.iter().any(|(_, outcome, _)| *outcome == "ok") {
-        bail!("no step has such a name");
-    }
-    Ok(())
+    let all: Vec<Step> = STEPS.into_iter().chain(BOARD_STEPS).collect();
+    steps::run(&all, words)
 }
 
 fn format() -> Result<()> {
@@ -97,7 +64,7 @@ fn clippy_host() -> Result<()> {
 /// The library where there is no standard library and the fewest instructions,
 /// and the firmware.
 fn clippy_thumb() -> Result<()> {
-    let packages = ["float", "headless", "lm3s6965evb", "motion"];
+    let packages = ["float", "headless", "lm3s6965evb", "motion", "nopanic"];
     for (target, packages) in [(V6M, &["whitted", "products"][..]), (V7M, &packages)] {
         let mut clippy = cargo();
         clippy.args(["clippy", "--quiet", "--target", target]);

@@ -1,5 +1,6 @@
 //! The rules of the source code, as far as a machine can hold them.
 
+mod called;
 mod layers;
 mod names;
 mod tokens;
@@ -20,7 +21,7 @@ type Complaint = String;
 /// Checks all rules, and fails with every place where one is broken.
 pub fn run() -> Result<()> {
     let mut complaints = Vec::new();
-    let mut library = Vec::new();
+    let (mut library, mut callers) = (Vec::new(), Vec::new());
     for path in committed_files()? {
         let bytes = fs::read(root().join(&path))?;
         // Anything else is no text.
@@ -28,12 +29,16 @@ pub fn run() -> Result<()> {
             continue;
         };
         complaints.extend(words::check(&path, &text));
-        if path.starts_with("src") && path.extension().is_some_and(|extension| extension == "rs") {
+        let is_rust = path.extension().is_some_and(|extension| extension == "rs");
+        if path.starts_with("src") && is_rust {
             library.push(Source::parse(&path, &text)?);
+        } else if path.starts_with("boards/nopanic/src") && is_rust {
+            callers.push(Source::parse(&path, &text)?);
         }
     }
     complaints.extend(library.iter().flat_map(names::check));
     complaints.extend(layers::check(&library));
+    complaints.extend(called::check(&library, &callers));
     if complaints.is_empty() {
         return Ok(());
     }

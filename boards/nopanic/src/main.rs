@@ -1,0 +1,40 @@
+//! Links only if nothing of the library may panic: the panic handler calls a
+//! function that is nowhere. `cargo xtask test nopanic` links it for each
+//! instruction set; it is never run.
+//!
+//! All input passes through `black_box`, so the optimizer cannot drop a panic
+//! because it knows the values.
+
+#![no_std]
+#![no_main]
+
+mod displays;
+mod scenes;
+mod text;
+
+use core::hint::black_box;
+use core::panic::PanicInfo;
+
+use cortex_m_rt::entry;
+
+#[entry]
+fn main() -> ! {
+    loop {
+        scenes::build();
+        scenes::prepare();
+        scenes::decode();
+        if cfg!(feature = "broken") {
+            let bytes: &[u8] = black_box(&[]);
+            black_box(bytes[black_box(0)]);
+        }
+    }
+}
+
+unsafe extern "C" {
+    safe fn something_may_panic() -> !;
+}
+
+#[panic_handler]
+fn panic(_: &PanicInfo<'_>) -> ! {
+    something_may_panic()
+}

@@ -1,0 +1,7 @@
+//! Tells the linker where things are.
+
+fn main() {
+    println!("cargo::rerun-if-changed=memory.x");
+    println!("cargo::rustc-link-arg-bins=-Tmemory.x");
+    println!("cargo::rustc-link-arg-bins=-Tlink.x");
+}

@@ -1,0 +1,31 @@
+use whitted::{Crc32, DecodeError, SceneBuffer};
+
+use super::picture::draw;
+
+type Buffer = SceneBuffer<16, 4, 16>;
+
+/// Any bytes are a scene that can be drawn, or an error; with a right checksum
+/// put behind them, too.
+pub fn compiled(input: &[u8]) {
+    decode(input);
+    let mut sealed = input.to_vec();
+    let mut crc = Crc32::new();
+    crc.update(input);
+    sealed.extend(crc.finish().to_le_bytes());
+    decode(&sealed);
+}
+
+fn decode(bytes: &[u8]) {
+    let mut buffer = Box::new(Buffer::new());
+    match buffer.decode(bytes) {
+        Ok(scene) => {
+            let mut again = vec![0; scene.encoded_len()];
+            assert_eq!(scene.encode(&mut again), Some(again.len()));
+            _ = draw(&scene);
+        }
+        Err(error) => {
+            _ = error.to_string();
+            assert!(!matches!(error, DecodeError::Version(1)), "{error}");
+        }
+    }
+}

@@ -1,0 +1,67 @@
+//! Authored numbers as text. What the `fixed` crate has for it may panic, as far
+//! as the compiler can see.
+
+use core::fmt::{self, Display, Formatter, Write};
+
+use super::Real;
+
+/// Displays a number by the fewest decimals that tell it from its neighbors
+/// (Steele and White, 1990).
+pub(crate) struct Decimal(pub(crate) Real);
+
+impl Display for Decimal {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        if self.0 < 0 {
+            f.write_char('-')?;
+        }
+        let bits = self.0.to_bits().unsigned_abs();
+        write!(f, "{}", bits >> 32)?;
+        if bits as u32 != 0 {
+            f.write_char('.')?;
+            decimals(bits as u32, f)?;
+        }
+        Ok(())
+    }
+}
+
+/// The decimals of a fraction above 0, `U0F32`.
+fn decimals(fraction: u32, f: &mut Formatter<'_>) -> fmt::Result {
+    /// In halves of a step, as is all that follows: less than half a step off
+    /// is near enough.
+    const ONE: u64 = 1 << 33;
+    let mut rest = u64::from(fraction) << 1;
+    let mut near = 1;
+    loop {
+        (rest, near) = (10 * rest, 10 * near);
+        let digit = (rest >> 33) as u8;
+        rest &= ONE - 1;
+        let (below, above) = (rest < near, ONE - rest < near);
+        if below || above {
+            let up = above && (!below || rest > ONE / 2);
+            return f.write_char(char::from(b'0' + digit + u8::from(up)));
+        }
+        f.write_char(char::from(b'0' + digit))?;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+    use super::*;
+    use std::string::ToString;
+
+    #[test]
+    fn numbers_look_as_the_fixed_crate_shows_them() {
+        let edges = [0, 1, 2, -1, 1 << 31, 1 << 32, i64::MAX, i64::MIN, 4295];
+        let mut state = 1_i64;
+        let random = (0..100_000).map(|shift| {
+            state ^= state << 13;
+            state ^= ((state as u64) >> 7) as i64;
+            state ^= state << 17;
+            state >> (shift % 60)
+        });
+        for number in edges.into_iter().chain(random).map(Real::from_bits) {
+            assert_eq!(Decimal(number).to_string(), number.to_string());
+        }
+    }
+}

@@ -1,0 +1,78 @@
+//! What is fuzzed (see `fuzz/`), on stable: every input of the corpus, and
+//! random ones.
+
+#![allow(clippy::unwrap_used, clippy::expect_used)]
+
+#[path = "../../fuzz/src/lib.rs"]
+#[allow(unreachable_pub, reason = "public where it is fuzzed")]
+mod fuzz;
+
+use std::fs;
+use std::path::Path;
+
+use fastrand::Rng;
+
+/// Random inputs of each kind; `RUNS=1000000 cargo test --test fuzz` takes more.
+fn runs(usual: u64) -> u64 {
+    let told = std::env::var("RUNS")
+        .ok()
+        .and_then(|runs| runs.parse().ok());
+    told.unwrap_or(usual)
+}
+
+/// Runs each input of the corpus.
+fn replay(name: &str, target: fn(&[u8])) {
+    let corpus = Path::new(env!("CARGO_MANIFEST_DIR")).join("fuzz/corpus");
+    let inputs = fs::read_dir(corpus.join(name)).unwrap();
+    let mut count = 0;
+    for input in inputs {
+        let path = input.unwrap().path();
+        println!("{}", path.display());
+        target(&fs::read(path).unwrap());
+        count += 1;
+    }
+    assert!(count > 0, "the corpus of {name} is empty");
+}
+
+fn random_bytes(seed: u64) -> Vec<u8> {
+    let mut rng = Rng::with_seed(seed);
+    let length = rng.usize(0..1200);
+    (0..length).map(|_| rng.u8(..)).collect()
+}
+
+#[test]
+fn scene_texts_of_the_corpus() {
+    replay("scene_text", fuzz::scene_text);
+}
+
+#[test]
+fn compiled_scenes_of_the_corpus() {
+    replay("compiled", fuzz::compiled);
+}
+
+#[test]
+fn extremes_of_the_corpus() {
+    replay("extremes", |input| _ = fuzz::extremes(input));
+}
+
+#[test]
+fn seeds_of_the_corpus() {
+    replay("oracle", fuzz::oracle);
+}
+
+/// Debug assertions and checks of overflow are on in the test build.
+#[test]
+fn scenes_at_the_extremes_of_every_range_are_refused_or_drawn() {
+    let runs = runs(1000);
+    let (mut drawn, mut failed) = (0, Vec::new());
+    for seed in 0..runs {
+        let input = random_bytes(seed);
+        match std::panic::catch_unwind(|| fuzz::extremes(&input)) {
+            Ok(is_drawn) => drawn += u64::from(is_drawn),
+            Err(_) => failed.push(seed),
+        }
+    }
+    println!("figure: {runs} scenes at the extremes, of which {drawn} are valid and drawn");
+    assert!(failed.is_empty(), "seeds {failed:?}");
+    assert!(4 * drawn > runs, "too few are valid: {drawn} of {runs}");
+}
