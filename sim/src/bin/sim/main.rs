@@ -22,6 +22,10 @@ mod render;
 mod report;
 mod scene;
 mod terminal;
+#[cfg(feature = "window")]
+mod view;
+#[cfg(not(feature = "window"))]
+#[path = "without_window.rs"]
 mod view;
 
 use std::process::ExitCode;
