@@ -33,6 +33,7 @@ pub(crate) struct View {
 }
 
 impl View {
+    #[inline(never)]
     pub(crate) fn new(camera: &Camera, width: u32, height: u32) -> Self {
         let (width, height) = (width.min(MAX_SIDE), height.min(MAX_SIDE));
         // tangent / height: U4F28 * U1F31 -> U6F58
@@ -70,6 +71,7 @@ impl View {
     }
 
     /// The rays of line `y`, from left to right.
+    #[inline(never)]
     pub(crate) fn line(&self, y: u32) -> Line {
         let down = 2 * i64::from(y.min(MAX_SIDE)) + 1 - i64::from(self.height);
         let left = 1 - i64::from(self.width);
@@ -150,6 +152,7 @@ impl Row {
 
     /// The column of the ray that is `n / d` as far to the right as it is ahead,
     /// rounded down, 0 to 65535.
+    #[inline(never)]
     pub(crate) fn column(&self, n: i64, d: u64) -> u16 {
         if n == 0 {
             return self.width / 2;

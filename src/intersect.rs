@@ -228,6 +228,7 @@ fn nearest_endless(
 }
 
 /// How far an endless surface is, at any distance.
+#[inline(never)]
 fn endless_distance(object: &Object, ray: &Ray, is_start: bool) -> Option<Scaled> {
     match &object.shape {
         Shape::Plane(plane) if !is_start => plane.far_distance(ray),

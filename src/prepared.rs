@@ -190,10 +190,16 @@ impl Material {
 fn dimmest(exponent: u32) -> u32 {
     // The fraction of the exponent would only raise it.
     let is_dim = |base| power(base, exponent >> 16 << 16) < 1 << 15;
-    (0..31).rev().fold(0, |base, bit| {
-        let next = base | 1 << bit;
-        if is_dim(next) { next } else { base }
-    }) + 1
+    let (mut dim, mut bright) = (0, 1 << 31);
+    while bright - dim > 1 {
+        let middle = (dim + bright) / 2;
+        if is_dim(middle) {
+            dim = middle;
+        } else {
+            bright = middle;
+        }
+    }
+    bright
 }
 
 impl<'b> PreparedScene<'b> {
@@ -230,7 +236,7 @@ impl<'b> PreparedScene<'b> {
     }
 
     /// What an object lets through at a point of its surface.
-    #[inline]
+    #[inline(never)]
     pub(crate) fn transmitted(&self, object: &Object, point: Point) -> Color<Factor> {
         self.material(object.texture.material(point)).kt
     }

@@ -26,6 +26,7 @@ impl<'s> Raster<'s> {
 
     /// The pixels of some columns of a view's line `y`, with their columns. A
     /// line outside of the view is empty.
+    #[inline(never)]
     pub(crate) fn pixels<'r, O>(
         &'r mut self,
         view: &View,

@@ -47,14 +47,17 @@ impl Point {
 
     /// The point in steps of 2^shift, with the shift that fits it.
     fn fitted(mut coordinates: Vec3<i64>, mut shift: u32) -> Self {
-        let reach = |c: Vec3<i64>| c.x.abs().max(c.y.abs()).max(c.z.abs());
-        while reach(coordinates) >= 1 << 30 || shift == 0 && reach(coordinates) > i64::from(NEAR) {
-            coordinates = coordinates.map(|c| c >> 1);
-            shift += 1;
-        }
-        while shift > 0 && reach(coordinates) < 1 << 28 {
-            coordinates = coordinates.map(|c| c << 1);
-            shift -= 1;
+        loop {
+            let reach = reach(coordinates);
+            if reach >= 1 << 30 || shift == 0 && reach > i64::from(NEAR) {
+                coordinates = coordinates.map(|c| c >> 1);
+                shift += 1;
+            } else if shift > 0 && reach < 1 << 28 {
+                coordinates = coordinates.map(|c| c << 1);
+                shift -= 1;
+            } else {
+                break;
+            }
         }
         Self {
             coordinates: coordinates.map(|c| Length::from_bits(c as i32)),
@@ -138,11 +141,7 @@ impl Ray {
         let above =
             |c: Length| (c.to_bits().wrapping_add(NEAR) as u32).saturating_sub(2 * NEAR as u32);
         if above(coordinates.x) | above(coordinates.y) | above(coordinates.z) != 0 {
-            let mantissa = distance.to_bits() as u32;
-            return self.far_at(Scaled {
-                mantissa,
-                exponent: 0,
-            });
+            return self.far_at(Scaled::unordered(distance));
         }
         Point::near(coordinates)
     }
@@ -202,6 +201,11 @@ impl Ray {
         let skipped = (i64::from(middle) << shift) - i64::from(BEFORE.to_bits());
         Some((Self { origin, ..*self }, skipped))
     }
+}
+
+/// The largest coordinate of all.
+fn reach(c: Vec3<i64>) -> i64 {
+    c.x.abs().max(c.y.abs()).max(c.z.abs())
 }
 
 /// `x >> shift`, also for shifts that leave nothing.

@@ -30,7 +30,7 @@ impl Bounds {
         high: Vec3::new(Length::MAX, Length::MAX, Length::MAX),
     };
 
-    #[inline]
+    #[inline(never)]
     pub(crate) fn contain(&self, point: Point) -> bool {
         let within = |c: Length, low: Length, high: Length| {
             let c = i64::from(c.to_bits()) << point.shift;
