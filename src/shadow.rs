@@ -187,9 +187,10 @@ fn filtered(
             return left;
         }
     };
-    let is_between = |distance: &Scaled| (1..shadow.reach()).contains(&distance.to_bits());
-    for distance in crossings.into_iter().flatten().filter(is_between) {
-        pass(ray.far_at(distance));
+    for distance in crossings.into_iter().flatten() {
+        if (1..shadow.reach()).contains(&distance.to_bits()) {
+            pass(ray.far_at(distance));
+        }
     }
     left
 }
