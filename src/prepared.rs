@@ -48,16 +48,17 @@ pub struct PreparedScene<'b> {
 /// How the lights see the bounds of the finite objects, in their order.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sights<'b> {
-    /// Light after light, each so many sights long.
-    pub(crate) lights: &'b [Sight],
-    pub(crate) stride: usize,
+    /// Light after light.
+    pub(crate) all: &'b [Sight],
+    /// How many each light has: one for each finite object.
+    pub(crate) count: usize,
 }
 
 impl<'b> Sights<'b> {
-    /// How a light sees them; more may follow than there are.
+    /// Those of a light.
     #[inline(always)]
-    pub(crate) fn by_light(&self, index: usize) -> &'b [Sight] {
-        self.lights.get(index * self.stride..).unwrap_or(&[])
+    pub(crate) fn by_light(&self, index: usize) -> Option<&'b [Sight]> {
+        self.all.get(index * self.count..)?.get(..self.count)
     }
 }
 
@@ -250,8 +251,8 @@ mod tests {
     #[test]
     fn items_take_as_many_bytes_as_documented() {
         assert_eq!(size_of::<Object>(), 112);
-        assert_eq!(size_of::<Around>(), 24);
-        assert_eq!(size_of::<Sight>(), 16);
+        assert_eq!(size_of::<Around>(), 16);
+        assert_eq!(size_of::<Sight>(), 12);
         assert_eq!(size_of::<Light>(), 28);
         assert_eq!(size_of::<Material>(), 56);
     }

@@ -8,7 +8,7 @@ use crate::num::{Factor, Length, Scaled, Unit};
 use crate::observer::{Observer, RayKind};
 use crate::prepared::{Light, Object, PreparedScene};
 use crate::ray::{Point, Ray, Start};
-use crate::shape::{Plane, Quadric, Shape, Sphere};
+use crate::shape::{Plane, Quadric, Shape, Sphere, narrow};
 use crate::texture::Texture;
 use crate::vector::round_length;
 use crate::{Color, Vec3};
@@ -42,11 +42,11 @@ impl ShadowRay<'_> {
         observer.ray(RayKind::Shadow);
         observer.bounds(scene.finite.len() as u32);
         let own = self.start.left();
-        for (sight, around) in scene.sights.by_light(index).iter().zip(scene.finite) {
-            // The opposite direction has the same line.
-            if sight.may_meet(self.to_light)
-                && around.object != own
-                && !self.passes(scene, around.object, left, observer)
+        let direction = narrow(self.to_light);
+        for sight in scene.sights.by_light(index).unwrap_or_default() {
+            if sight.may_meet(direction)
+                && sight.object != own
+                && !self.passes(scene, sight.object, left, observer)
             {
                 return false;
             }

@@ -12,7 +12,7 @@ mod sphereflake;
 
 use crate::observer::ShapeKind;
 
-pub(crate) use bound::{Around, Bound, Sight};
+pub(crate) use bound::{Around, Bound, Sight, coarse, narrow};
 pub(crate) use plane::{Bounds, Plane};
 pub(crate) use quadric::{Cone, Cylinder, Ellipsoid, Form, Paraboloid, Quadric};
 pub(crate) use sphere::Sphere;
