@@ -16,6 +16,7 @@ mod decimal;
 mod product;
 
 pub(crate) use decimal::Decimal;
+pub(crate) use long_multiply::leading_zeros;
 pub(crate) use product::{Product, Square};
 
 /// An authored number: the range and precision of a scene as it is written
@@ -104,7 +105,7 @@ fn shifted_up(x: u64, mask: u32) -> (u32, u32) {
     if high == 0 {
         (high, low, shift) = (scarce(low), 0, 32);
     }
-    let up = high.leading_zeros() & mask;
+    let up = leading_zeros(high) & mask;
     (high << up | (low >> 1) >> (31 - up), shift + up)
 }
 

@@ -5,7 +5,7 @@
 use core::ptr;
 
 use crate::intersect::{Hit, Part};
-use crate::num::{Factor, Product, Radiance, Unit, power, reciprocal_root};
+use crate::num::{Factor, Product, Radiance, Unit, leading_zeros, power, reciprocal_root};
 use crate::observer::{Observer, share};
 use crate::prepared::{Material, PreparedScene};
 use crate::ray::{Again, Point, Ray, Start};
@@ -185,7 +185,7 @@ impl<'s> Surface<'s> {
             // |L - V|² / 4, as U0F32, is at most 1 and 0 only against the light.
             let square = ((1 << 60) - across.to_bits()) >> 29;
             let square = square.clamp(1, i64::from(u32::MAX)) as u32;
-            let shift = square.leading_zeros() & !1;
+            let shift = leading_zeros(square) & !1;
             // Q30 * U1F31 * 2^(shift/2) / 2 -> Q31
             let product = sum.product(reciprocal_root(square << shift));
             (product >> (31 - shift / 2)) as i64
