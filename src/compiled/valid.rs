@@ -53,7 +53,7 @@ impl Settings {
             up,
             tangent,
         } = self.camera;
-        eye.all(|c| c.to_bits().abs() <= NEAR)
+        eye.all(|c| is_within(c, Length::from_bits(NEAR)))
             && [forward, right, up].into_iter().all(is_unit)
             && are_square(forward, right)
             && are_square(right, up)
