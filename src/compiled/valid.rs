@@ -131,7 +131,7 @@ impl Quadric {
             }
             Form::Paraboloid(form) => {
                 self.clamp.is_some()
-                    && is_within(form.radius_squared, I8F56::ONE)
+                    && (I8F56::ZERO..=I8F56::ONE).contains(&form.radius_squared)
                     && form.squeeze <= 2
                     && form.focus <= 31
             }
