@@ -51,6 +51,11 @@ fn compiled_scenes_of_the_corpus() {
 }
 
 #[test]
+fn display_streams_of_the_corpus() {
+    replay("display_stream", fuzz::display_stream);
+}
+
+#[test]
 fn extremes_of_the_corpus() {
     replay("extremes", fuzz::extremes);
 }
