@@ -57,7 +57,7 @@ impl Settings {
             up,
             tangent,
         } = self.camera;
-        eye.all(|c| c.to_bits().abs() <= NEAR)
+        eye.all(|c| is_within(c, Length::from_bits(NEAR)))
             && [forward, right, up].into_iter().all(is_unit)
             && are_square(forward, right)
             && are_square(right, up)
@@ -135,7 +135,7 @@ impl Quadric {
             }
             Form::Paraboloid(form) => {
                 self.clamp.is_some()
-                    && is_within(form.radius_squared, I8F56::ONE)
+                    && (I8F56::ZERO..=I8F56::ONE).contains(&form.radius_squared)
                     && form.squeeze <= 2
                     && form.focus <= 31
             }

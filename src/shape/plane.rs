@@ -166,3 +166,34 @@ impl Plane {
         Some((depth.unsigned_abs(), cosine.unsigned_abs()))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_box_holds_a_step_more_than_what_is_between_its_ends() {
+        let length = Length::from_bits;
+        let bounds = Bounds {
+            low: Vec3::new(length(-100), Length::MIN, length(8)),
+            high: Vec3::new(length(50), length(0), Length::MAX),
+        };
+        let contains = |x, y, z, shift| {
+            let coordinates = Vec3::new(x, y, z).map(length);
+            bounds.contain(Point { coordinates, shift })
+        };
+        for (x, is_within) in [(-102, false), (-101, true), (51, true), (52, false)] {
+            assert_eq!(contains(x, 0, 8, 0), is_within, "x {x}");
+        }
+        for (y, is_within) in [(i32::MIN, true), (1, true), (2, false)] {
+            assert_eq!(contains(0, y, 8, 0), is_within, "y {y}");
+        }
+        for (z, is_within) in [(6, false), (7, true), (i32::MAX, true)] {
+            assert_eq!(contains(0, 0, z, 0), is_within, "z {z}");
+        }
+        // In steps of 4.
+        for (x, is_within) in [(-26, false), (-25, true), (12, true), (13, false)] {
+            assert_eq!(contains(x, -1, 2, 2), is_within, "4 * {x}");
+        }
+    }
+}
