@@ -7,7 +7,7 @@
 
 use crate::error::Full;
 use crate::num::{Factor, Length, Radiance, Unit, power};
-use crate::ray::Point;
+use crate::ray::{Nature, Point};
 use crate::shape::{Around, Plane, Shape, Sight};
 use crate::texture::Texture;
 use crate::{Color, Real, Vec3, scene};
@@ -115,18 +115,31 @@ pub(crate) struct Camera {
 }
 
 /// A shape and what covers it.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Object {
     pub(crate) shape: Shape,
     pub(crate) texture: Texture,
+    /// That of the shape: derived.
+    pub(crate) nature: Nature,
 }
 
 impl Object {
-    /// Nothing that a ray could meet.
-    const NONE: Self = Self {
+    /// Nothing that a ray could meet, or before it is read.
+    pub(crate) const NONE: Self = Self {
         shape: Shape::Plane(Plane::NONE),
         texture: Texture::Uniform(0),
+        nature: Nature::NONE,
     };
+
+    /// A shape that is covered so.
+    pub(crate) fn new(shape: Shape, texture: Texture) -> Self {
+        let nature = shape.nature();
+        Self {
+            shape,
+            texture,
+            nature,
+        }
+    }
 }
 
 /// A point light.

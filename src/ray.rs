@@ -95,10 +95,27 @@ pub(crate) struct Start {
     pub(crate) part: u32,
     /// Whether the ray runs through the inside of the object.
     pub(crate) inward: bool,
-    /// Whether the ray can meet the object again.
+    pub(crate) nature: Nature,
+}
+
+/// What an object is to the rays that start on it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Nature {
+    /// Whether a ray can meet it again.
     pub(crate) again: Again,
-    /// Whether the object is finite.
+    /// Whether it is finite.
     pub(crate) is_finite: bool,
+    /// Whether it bounds no inside.
+    pub(crate) is_open: bool,
+}
+
+impl Nature {
+    /// Of nothing.
+    pub(crate) const NONE: Self = Self {
+        again: Again::Perhaps,
+        is_finite: false,
+        is_open: false,
+    };
 }
 
 /// Whether a ray can meet the object again that it starts on.
@@ -116,7 +133,7 @@ impl Start {
     /// that none has.
     #[inline(always)]
     pub(crate) fn left(&self) -> u16 {
-        match self.again {
+        match self.nature.again {
             Again::Never => self.object,
             Again::Inward if !self.inward => self.object,
             _ => Self::NOWHERE.object,
@@ -128,8 +145,7 @@ impl Start {
         object: u16::MAX,
         part: 0,
         inward: false,
-        again: Again::Perhaps,
-        is_finite: false,
+        nature: Nature::NONE,
     };
 }
 

@@ -8,7 +8,7 @@ use crate::intersect::{Hit, Part};
 use crate::num::{Factor, Product, Radiance, Unit, leading_zeros, power, reciprocal_root};
 use crate::observer::{Observer, share};
 use crate::prepared::{Material, PreparedScene};
-use crate::ray::{Again, Point, Ray, Start};
+use crate::ray::{Point, Ray, Start};
 use crate::shadow::ShadowRay;
 use crate::shape::Shape;
 use crate::{Color, Vec3, optics};
@@ -27,8 +27,6 @@ pub(crate) struct Surface<'s> {
     /// What a ray that starts here on the same side must not meet again;
     /// `inward` if the ray came from behind the surface.
     start: Start,
-    /// Whether the surface bounds no inside.
-    open: bool,
 }
 
 impl<'s> Surface<'s> {
@@ -40,25 +38,12 @@ impl<'s> Surface<'s> {
             object: hit.object,
             part: 0,
             inward: false,
-            again: Again::Perhaps,
-            is_finite: true,
+            nature: object.nature,
         };
-        let mut open = false;
         let normal = match &object.shape {
-            Shape::Sphere(sphere) => {
-                start.again = Again::Inward;
-                sphere.normal(point.coordinates)
-            }
-            Shape::Plane(plane) => {
-                (start.again, start.is_finite) = (Again::Never, false);
-                open = plane.bounds.is_some();
-                plane.normal
-            }
-            Shape::Quadric(quadric) => {
-                start.is_finite = !quadric.is_endless();
-                open = quadric.is_open();
-                quadric.normal(point)
-            }
+            Shape::Sphere(sphere) => sphere.normal(point.coordinates),
+            Shape::Plane(plane) => plane.normal,
+            Shape::Quadric(quadric) => quadric.normal(point),
             Shape::Sphereflake(_) => {
                 start.part = part.path;
                 part.normal
@@ -74,7 +59,6 @@ impl<'s> Surface<'s> {
             cosine: cosine.abs(),
             material,
             start,
-            open,
         }
     }
 
@@ -212,7 +196,7 @@ impl<'s> Surface<'s> {
         if kt.is_black() {
             return shares;
         }
-        let direction = if self.open {
+        let direction = if self.start.nature.is_open {
             Some(self.view)
         } else {
             self.refracted()

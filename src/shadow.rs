@@ -51,7 +51,7 @@ impl ShadowRay<'_> {
                 return false;
             }
         }
-        if self.start.is_finite && !self.light.is_walled && self.point.is_near() {
+        if self.start.nature.is_finite && !self.light.is_walled && self.point.is_near() {
             return true;
         }
         let mut endless = scene.endless.iter().filter(|&&object| object != own);
