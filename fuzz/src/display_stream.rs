@@ -28,11 +28,11 @@ pub fn display_stream(input: &[u8]) -> bool {
         let (kinds, bytes) = nine.split_at(1);
         let kinds = Bytes(kinds).byte();
         for (bit, byte) in bytes.iter().enumerate() {
-            let before = controller.picture();
+            let before = controller.clone();
             if let Err(error) = controller.receive(Byte::new(kinds >> bit & 1 != 0, *byte)) {
                 assert!(!error.to_string().is_empty());
                 assert!(
-                    before == controller.picture(),
+                    before.picture() == controller.picture(),
                     "{error}, and yet it looks otherwise"
                 );
             }
