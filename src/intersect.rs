@@ -53,7 +53,7 @@ pub(crate) struct Part {
 }
 
 /// The first surface that a ray meets. What is met of a flake is written to `part`.
-#[inline(never)]
+#[inline(always)]
 pub(crate) fn nearest(
     scene: &PreparedScene<'_>,
     ray: &Ray,

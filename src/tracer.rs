@@ -105,7 +105,7 @@ pub(crate) fn trace(
 }
 
 /// Adds what the rays bring back that go on from where the eye ray hit.
-#[inline(never)]
+#[inline(always)]
 fn tree(
     scene: &PreparedScene<'_>,
     ray: &Ray,
