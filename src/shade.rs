@@ -30,7 +30,7 @@ pub(crate) struct Surface<'s> {
 }
 
 impl<'s> Surface<'s> {
-    #[inline(never)]
+    #[inline(always)]
     pub(crate) fn new(scene: &PreparedScene<'s>, ray: &Ray, hit: Hit, part: &Part) -> Self {
         let object = scene.object(hit.object);
         let point = hit.point(object, ray);

@@ -181,7 +181,7 @@ fn tell(
 
 /// Turns a branch into the one that follows from its hit, and puts off what
 /// else follows; false if nothing does.
-#[inline(never)]
+#[inline(always)]
 fn follow(
     surface: &Surface<'_>,
     settings: &Settings,
