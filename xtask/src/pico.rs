@@ -85,9 +85,10 @@ fn draw_all() -> Result<Vec<(&'static str, Cost)>> {
     let elf = firmware::build(&[&first, &broken(&first)?, &last])?;
     firmware::print_size(&elf)?;
 
+    let program = transfers::program()?;
     let transfer = |port: &port::Port| {
         transfers::break_off(port, &sent)?;
-        transfers::send(port, &sent)
+        transfers::send(&program, port, &sent)
     };
     let events = [
         Event::Press(Button::Next),

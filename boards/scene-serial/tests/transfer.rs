@@ -1,5 +1,7 @@
 //! Frames that arrive, and frames that do not.
 
+#![allow(clippy::unwrap_used)]
+
 use fastrand::Rng;
 use scene_serial::{Answer, Broken, Message, Receiver, frame, frame_len};
 
@@ -11,9 +13,7 @@ const TICKET: u16 = 0xA05F;
 
 fn framed(scene: &[u8]) -> Vec<u8> {
     let mut room = vec![0xEE; frame_len(scene.len())];
-    frame(TICKET, scene, &mut room)
-        .expect("there is room")
-        .to_vec()
+    frame(TICKET, scene, &mut room).unwrap().to_vec()
 }
 
 /// What came to its end while these bytes were received.

@@ -1,7 +1,7 @@
 //! Scenes over USB: some that do not arrive, and one that does.
 
 use std::iter;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, ensure};
 use scene_serial::{frame, frame_len};
@@ -9,7 +9,8 @@ use whitted::{Camera, Material, MaterialId, Object, Real, Scene, SceneBuffer, Ve
 use whitted_sim::scene_file;
 
 use super::port::Port;
-use crate::command::cargo;
+use crate::command::{cargo, command, run};
+use crate::target_dir;
 use crate::test::WINDOW;
 
 const TICKET: u16 = 7;
@@ -44,14 +45,18 @@ pub(super) fn break_off(port: &Port, scene: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Sends a scene as a person does.
-pub(super) fn send(port: &Port, scene: &Path) -> Result<()> {
-    let mut sim = cargo();
-    sim.args(["run", "--quiet", "--bin", "sim"]).args(WINDOW);
-    sim.args(["--", "send"])
-        .arg(scene)
-        .arg("--port")
-        .arg(port.path());
+/// The program that persons send scenes by, as the tests build it.
+pub(super) fn program() -> Result<PathBuf> {
+    run(cargo()
+        .args(["build", "--quiet", "--bin", "sim"])
+        .args(WINDOW))?;
+    Ok(target_dir().join("debug/sim"))
+}
+
+/// Sends a scene by it.
+pub(super) fn send(program: &Path, port: &Port, scene: &Path) -> Result<()> {
+    let mut sim = command(program);
+    sim.arg("send").arg(scene).arg("--port").arg(port.path());
     let output = sim.output()?;
     let (said, errors) = (
         String::from_utf8_lossy(&output.stdout),
