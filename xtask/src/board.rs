@@ -34,7 +34,7 @@ pub const STM32F405: Board = Board {
     name: "stm32f405",
     target: V7EM,
     features: "",
-    flash: 87_000,
+    flash: 91_000,
 };
 
 /// The same for QEMU.
@@ -57,13 +57,13 @@ pub const BUILT_ONLY: [Board; 3] = [
         name: "rp2350",
         target: V8M,
         features: "",
-        flash: 80_000,
+        flash: 82_000,
     },
     Board {
         name: "nrf52840",
         target: V7EM,
         features: "",
-        flash: 86_000,
+        flash: 88_000,
     },
     Board {
         name: "esp32c3",
