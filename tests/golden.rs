@@ -1,10 +1,13 @@
-//! Pictures that must not change by a bit: what each kind of display is sent.
+//! Pictures that must not change by a bit: what each kind of display is sent,
+//! and by their checksums those of all scenes.
 //!
 //! `BLESS=1 cargo test --test golden` writes them anew; look at them before
 //! they are committed.
 
 #![allow(clippy::unwrap_used)]
 
+use std::fmt::Write;
+use std::fs;
 use std::path::PathBuf;
 
 use embedded_graphics::pixelcolor::{
@@ -15,6 +18,10 @@ use embedded_graphics::prelude::*;
 use whitted::{Antialiased, Color, Dither, Output, Pixel, Renderer, Sample, Samples, Transfer};
 use whitted_sim::picture::Picture;
 use whitted_sim::{png16, render, scene_file};
+
+#[path = "random_scenes/generator.rs"]
+#[allow(dead_code, reason = "its own tests ask more of it")]
+mod generator;
 
 const SIZE: Size = Size::new(96, 72);
 
@@ -116,6 +123,50 @@ fn antialiased() {
         let drawn = render::lines(SIZE, |y, line| renderer.render_line(y, line));
         check(name, &drawn);
     }
+}
+
+/// A line for each picture: its checksum and its name.
+fn checksums() -> String {
+    const SIZE: Size = Size::new(64, 48);
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes");
+    let mut files: Vec<PathBuf> = fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().path())
+        .filter(|path| path.extension().is_some_and(|it| it == "toml"))
+        .collect();
+    files.sort();
+    let scenes = files.into_iter().map(|path| {
+        let name = path.file_stem().unwrap().display().to_string();
+        (name, fs::read_to_string(path).unwrap())
+    });
+    let random = (0..100).map(|seed| (format!("random {seed}"), generator::scene(seed).toml));
+    let mut buffer = Box::new(scene_file::Buffer::new());
+    let mut lines = String::new();
+    for (name, toml) in scenes.chain(random) {
+        let file = scene_file::parse(&name, &toml).unwrap();
+        let picture = render::linear(&file.prepare(&mut buffer).unwrap(), SIZE);
+        let checksum = render::checksum(&picture);
+        writeln!(lines, "{checksum:08x} {name}").unwrap();
+    }
+    lines
+}
+
+/// Of all that can be seen, to the last of 16 bits.
+#[test]
+fn every_scene_and_a_hundred_random_ones() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/golden/checksums.txt");
+    let drawn = checksums();
+    if std::env::var_os("BLESS").is_some() {
+        fs::write(path, &drawn).unwrap();
+    }
+    let golden = fs::read_to_string(path).unwrap();
+    let other = |(drawn, golden): (&str, &str)| (drawn != golden).then(|| drawn.to_owned());
+    let others: Vec<_> = drawn
+        .lines()
+        .zip(golden.lines())
+        .filter_map(other)
+        .collect();
+    assert!(drawn == golden, "they are others: {others:#?}");
 }
 
 #[test]

@@ -6,12 +6,14 @@
 
 mod bytes;
 mod compiled;
+mod display_stream;
 mod extremes;
 mod oracle;
 mod picture;
 mod scene_text;
 
 pub use compiled::compiled;
+pub use display_stream::display_stream;
 pub use extremes::extremes;
 pub use oracle::oracle;
 pub use scene_text::scene_text;

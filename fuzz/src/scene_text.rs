@@ -2,16 +2,19 @@ use whitted_sim::scene_file::{self, Buffer};
 
 use super::picture::draw_as_compiled;
 
-/// Any text is a scene that can be drawn and compiled, or an error that can be told.
-pub fn scene_text(input: &[u8]) {
+/// Any text is a scene that can be drawn and compiled, or an error that can be told. Says which.
+pub fn scene_text(input: &[u8]) -> bool {
     let Ok(text) = core::str::from_utf8(input) else {
-        return;
+        return false;
     };
     match scene_file::parse("scene.toml", text) {
         Ok(file) => match file.prepare(&mut Box::new(Buffer::new())) {
-            Ok(scene) => draw_as_compiled(&scene),
-            Err(error) => _ = error.to_string(),
+            Ok(scene) => {
+                draw_as_compiled(&scene);
+                true
+            }
+            Err(error) => error.to_string().is_empty(),
         },
-        Err(error) => _ = error.to_string(),
+        Err(error) => error.to_string().is_empty(),
     }
 }

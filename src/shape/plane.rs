@@ -1,5 +1,5 @@
 use crate::Vec3;
-use crate::num::{Length, Product, Scaled, Unit, quotient, reciprocal, wide};
+use crate::num::{Length, Product, Scaled, Unit, leading_zeros, quotient, reciprocal, wide};
 use crate::ray::{HORIZON, Point, Ray};
 
 /// A plane, endless or bounded.
@@ -30,7 +30,7 @@ impl Bounds {
         high: Vec3::new(Length::MAX, Length::MAX, Length::MAX),
     };
 
-    #[inline]
+    #[inline(never)]
     pub(crate) fn contain(&self, point: Point) -> bool {
         let within = |c: Length, low: Length, high: Length| {
             let c = i64::from(c.to_bits()) << point.shift;
@@ -121,7 +121,7 @@ impl Plane {
         if u64::from(depth) << 30 >= wide(cosine, limit.to_bits() as u32) {
             return Some(Length::MAX);
         }
-        let shift = cosine.leading_zeros() & 31;
+        let shift = leading_zeros(cosine) & 31;
         // 1/cosine = reciprocal * 2^(shift - 33): Q28, below 2^31.
         let product = wide(depth, reciprocal(cosine << shift));
         let twice = ((product >> 32) as u32) << shift | (product as u32 >> 1) >> (31 - shift);
@@ -164,5 +164,36 @@ impl Plane {
             return None;
         }
         Some((depth.unsigned_abs(), cosine.unsigned_abs()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_box_holds_a_step_more_than_what_is_between_its_ends() {
+        let length = Length::from_bits;
+        let bounds = Bounds {
+            low: Vec3::new(length(-100), Length::MIN, length(8)),
+            high: Vec3::new(length(50), length(0), Length::MAX),
+        };
+        let contains = |x, y, z, shift| {
+            let coordinates = Vec3::new(x, y, z).map(length);
+            bounds.contain(Point { coordinates, shift })
+        };
+        for (x, is_within) in [(-102, false), (-101, true), (51, true), (52, false)] {
+            assert_eq!(contains(x, 0, 8, 0), is_within, "x {x}");
+        }
+        for (y, is_within) in [(i32::MIN, true), (1, true), (2, false)] {
+            assert_eq!(contains(0, y, 8, 0), is_within, "y {y}");
+        }
+        for (z, is_within) in [(6, false), (7, true), (i32::MAX, true)] {
+            assert_eq!(contains(0, 0, z, 0), is_within, "z {z}");
+        }
+        // In steps of 4.
+        for (x, is_within) in [(-26, false), (-25, true), (12, true), (13, false)] {
+            assert_eq!(contains(x, -1, 2, 2), is_within, "4 * {x}");
+        }
     }
 }

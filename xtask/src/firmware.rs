@@ -62,6 +62,15 @@ pub const PRODUCTS: Firmware = Firmware {
 /// Draws frames of a scene that moves, for each kind of core.
 pub const MOTION: [Firmware; 4] = [motion(V6M), motion(V7M), motion(V7EM), motion(V8M)];
 
+/// Draws frames without end, for each kind of core.
+pub(crate) const fn soak(target: &'static str) -> Firmware {
+    Firmware {
+        package: "soak",
+        target,
+        features: "",
+    }
+}
+
 /// The yardstick in floating point, for each kind of core.
 pub const FLOAT: [Firmware; 4] = [float(V6M), float(V7M), float(V7EM), float(V8M)];
 

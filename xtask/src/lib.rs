@@ -15,6 +15,7 @@ pub mod prove;
 pub mod qemu;
 pub mod report;
 pub mod size;
+pub mod soak;
 pub mod test;
 pub mod tidy;
 

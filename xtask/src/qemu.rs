@@ -106,6 +106,11 @@ impl Machine {
         Self { name, target }
     }
 
+    /// The firmware that draws frames without end for it.
+    pub(crate) fn soak(self) -> Firmware {
+        firmware::soak(self.target)
+    }
+
     /// The firmware that draws for it.
     pub fn firmware(self, arithmetic: Arithmetic) -> Firmware {
         match arithmetic {
@@ -121,13 +126,18 @@ impl Machine {
 
     /// Runs firmware that needs nothing of the host.
     pub fn run(self, elf: &Path) -> Result<Report> {
+        self.start(elf)?.finish()
+    }
+
+    /// The same for firmware that is to be watched.
+    pub(crate) fn start(self, elf: &Path) -> Result<Running> {
         let mut qemu = firmware_in(self.name, elf);
         qemu.args(["-display", "none", "-chardev", "stdio,id=host"]);
         qemu.args([
             "-semihosting-config",
             "enable=on,target=native,chardev=host",
         ]);
-        Running::start(qemu)?.finish()
+        Running::start(qemu)
     }
 
     /// QEMU, about to draw.
@@ -234,7 +244,14 @@ impl Running {
         }
     }
 
-    /// The same for firmware that ends QEMU itself.
+    /// The next line that the firmware prints.
+    pub(crate) fn line(&self) -> Result<String> {
+        let line = self.lines.recv_timeout(PATIENCE);
+        line.context("the firmware prints no more")?
+            .context("QEMU's output cannot be read")
+    }
+
+    /// The report of firmware that ends QEMU itself.
     fn finish(mut self) -> Result<Report> {
         let report = self.report()?;
         let mut complaints = String::new();

@@ -58,7 +58,14 @@ fn clippy_host() -> Result<()> {
 /// The library where there is no standard library and the fewest instructions,
 /// and the firmware.
 fn clippy_thumb() -> Result<()> {
-    let packages = ["float", "headless", "lm3s6965evb", "motion", "nopanic"];
+    let packages = [
+        "float",
+        "headless",
+        "lm3s6965evb",
+        "motion",
+        "nopanic",
+        "soak",
+    ];
     for (target, packages) in [(V6M, &["whitted", "products"][..]), (V7M, &packages)] {
         let mut clippy = cargo();
         clippy.args(["clippy", "--quiet", "--target", target]);

@@ -14,6 +14,7 @@ use xtask::firmware::{LM3S6965EVB, MOTION, PRODUCTS};
 use xtask::oled::{self, Button, Oled};
 use xtask::qemu::{Arithmetic, Core, Machine};
 use xtask::report::Report;
+use xtask::soak::soak;
 use xtask::{root, scratch_dir};
 
 #[path = "../../boards/motion/src/scene.rs"]
@@ -312,6 +313,15 @@ fn every_core_moves_alike() -> Result<()> {
             let key = format!("checksum {frame}");
             assert_eq!(report.get(&key)?, expected, "frame {frame} on {core:?}");
         }
+    }
+    Ok(())
+}
+
+/// The beginning of what `cargo xtask prove soak` watches for longer.
+#[test]
+fn frame_after_frame_is_drawn_as_here() -> Result<()> {
+    for core in [Core::M0, Core::M3] {
+        soak(core, 100)?;
     }
     Ok(())
 }

@@ -13,6 +13,7 @@ mod stopwatch;
 
 pub use checksum::Checksum;
 pub use frame::{Report, draw};
+pub use memory::peak_stack;
 pub use stopwatch::Stopwatch;
 
 /// The last line that firmware prints, whether it has drawn or failed.

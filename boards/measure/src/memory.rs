@@ -25,7 +25,7 @@ pub(crate) fn statics() -> usize {
 
 /// Bytes of stack at the deepest so far: from its start to the lowest word
 /// that no longer holds the paint which the stack got before `main`.
-pub(crate) fn peak_stack() -> usize {
+pub fn peak_stack() -> usize {
     let start = &raw const _stack_start;
     let mut word = &raw const _stack_end;
     // SAFETY: from `_stack_end` up to `_stack_start` all is RAM, written by the

@@ -3,11 +3,16 @@
 use core::hint::black_box;
 
 use embedded_graphics_core::pixelcolor::{
-    Bgr565, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb565, Rgb666, Rgb888,
+    Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, IntoStorage, Rgb555, Rgb565,
+    Rgb666, Rgb888,
 };
 use embedded_graphics_core::prelude::*;
 use embedded_graphics_core::primitives::Rectangle;
-use whitted::{Color, PreparedScene, Renderer, Stats};
+use whitted::{
+    Antialiased, Changes, Color, Drawing, PreparedScene, Renderer, Sample, Samples, Stats, Step,
+};
+
+use crate::text;
 
 /// A display that takes pixels, or fails.
 struct Opaque<C>(Option<C>);
@@ -55,15 +60,19 @@ fn size() -> Size {
 }
 
 pub(crate) fn draw_on_all(scene: &PreparedScene<'_>) {
+    draw::<Rgb555>(scene);
     draw::<Rgb565>(scene);
     draw::<Rgb666>(scene);
     draw::<Rgb888>(scene);
+    draw::<Bgr555>(scene);
     draw::<Bgr565>(scene);
+    draw::<Bgr666>(scene);
     draw::<Bgr888>(scene);
     draw::<Gray8>(scene);
     draw::<Gray4>(scene);
     draw::<Gray2>(scene);
     draw::<BinaryColor>(scene);
+    draw_otherwise(scene);
 
     let mut renderer = Renderer::with_observer(scene, size(), Stats::default());
     black_box(renderer.pixel(black_box(0), black_box(0)));
@@ -73,9 +82,74 @@ pub(crate) fn draw_on_all(scene: &PreparedScene<'_>) {
     black_box((renderer.observer(), renderer.size()));
 }
 
-fn draw<C: PixelColor + whitted::Pixel>(scene: &PreparedScene<'_>) {
+/// In a color that displays have.
+fn draw<C>(scene: &PreparedScene<'_>)
+where
+    C: PixelColor + whitted::Pixel + IntoStorage<Storage: Into<u32>>,
+{
     let mut display = Opaque::<C>(None);
     let mut renderer = Renderer::new(scene, size());
+    renderer.set_output(black_box(renderer.output()));
     black_box(renderer.draw(&mut display).is_ok());
     black_box(renderer.draw_line(black_box(0), &mut display).is_ok());
+    if let Some(color) = display.0 {
+        send_changes(&[color; 4], &mut display);
+    }
+}
+
+/// In ways whose code is no other for another color; that of all colors is
+/// more than the flash of a real machine holds.
+fn draw_otherwise(scene: &PreparedScene<'_>) {
+    let mut display = Opaque::<Rgb565>(None);
+    draw_in_steps(&mut Renderer::new(scene, size()), &mut display);
+
+    let mut memory = [Sample::BLACK; 8];
+    let memory: &mut [Sample] = black_box(&mut memory);
+    match Antialiased::new(scene, size(), black_box(Samples::Four), memory) {
+        Ok(mut smooth) => {
+            smooth.set_output(black_box(smooth.output()));
+            black_box(smooth.line(black_box(0)).count());
+            let mut line = [Color::<u16>::default(); 4];
+            smooth.render_line(black_box(0), black_box(&mut line[..]));
+            black_box((smooth.observer(), smooth.size()));
+            black_box(smooth.draw(&mut display).is_ok());
+            black_box(smooth.draw_line(black_box(0), &mut display).is_ok());
+        }
+        Err(error) => text::print(&error),
+    }
+}
+
+fn draw_in_steps(renderer: &mut Renderer<'_>, display: &mut Opaque<Rgb565>) {
+    let area = Rectangle::new(Point::new(black_box(0), black_box(0)), size());
+    for drawing in [Drawing::scanlines(area), Drawing::progressive(area)] {
+        let mut drawing = black_box(drawing);
+        while !drawing.is_complete() {
+            let step = match drawing.block() {
+                0 => Step::Pass,
+                1 => Step::Line,
+                _ => Step::Rays(black_box(0)),
+            };
+            black_box(
+                renderer
+                    .step(&mut drawing, black_box(step), display)
+                    .is_ok(),
+            );
+        }
+    }
+}
+
+fn send_changes<C>(line: &[C], display: &mut Opaque<C>)
+where
+    C: PixelColor + IntoStorage<Storage: Into<u32>>,
+{
+    let mut hashes = [0; 4];
+    let count = Changes::hashes(size());
+    let hashes = hashes.get_mut(..count).unwrap_or_default();
+    let mut changes = Changes::new(black_box(0), hashes);
+    black_box(
+        changes
+            .send_line(black_box(0), black_box(line), display)
+            .is_ok(),
+    );
+    changes.forget();
 }

@@ -9,6 +9,7 @@
 #![no_main]
 
 mod displays;
+mod motion;
 mod scenes;
 mod text;
 
@@ -23,6 +24,7 @@ fn main() -> ! {
         scenes::build();
         scenes::prepare();
         scenes::decode();
+        motion::play();
         if cfg!(feature = "broken") {
             let bytes: &[u8] = black_box(&[]);
             black_box(bytes[black_box(0)]);

@@ -9,11 +9,11 @@ use whitted::{
 
 use crate::{displays, text};
 
-type Buffer = SceneBuffer<8, 2, 4>;
+pub(crate) type Buffer = SceneBuffer<8, 2, 4>;
 
 /// Behind a reference that the compiler cannot see through, all of a scene is
 /// unknown: which shapes, how many of them, every number.
-static SCENE: Scene = Scene::new(Camera::new(ORIGIN, ORIGIN, Real::ZERO));
+pub(crate) static SCENE: Scene = Scene::new(Camera::new(ORIGIN, ORIGIN, Real::ZERO));
 const ORIGIN: Vec3<Real> = Vec3::new(Real::ZERO, Real::ZERO, Real::ZERO);
 
 pub(crate) fn prepare() {
@@ -35,6 +35,10 @@ pub(crate) fn decode() {
 }
 
 fn draw(mut scene: PreparedScene<'_>) {
+    let camera = scene.camera().orbited(number(), number());
+    if let Err(error) = scene.set_camera(&camera) {
+        text::print(&error);
+    }
     black_box(scene.set_max_depth(black_box(0)).is_ok());
     black_box(scene.set_min_weight(black_box(Real::ZERO)).is_ok());
     black_box((scene.max_depth(), scene.counts(), scene.encoded_len()));
@@ -71,6 +75,6 @@ pub(crate) fn build() {
     black_box(crc.finish());
 }
 
-fn number() -> Real {
+pub(crate) fn number() -> Real {
     black_box(Real::ZERO)
 }

@@ -12,6 +12,9 @@ use crate::{root, target_dir};
 /// Seconds for each target, unless `FUZZ_SECONDS` says otherwise.
 const SECONDS: &str = "300";
 
+/// Runs of each target that are enough.
+const RUNS: u64 = 10_000_000;
+
 pub(super) fn prove() -> Result<String> {
     tools::toolchain(NIGHTLY, "toolchain install nightly")?;
     tools::subcommand("fuzz")?;
@@ -35,6 +38,7 @@ fn fuzz(target: &String, seconds: &str) -> Result<String> {
     fuzz.args([NIGHTLY, "fuzz", "run", "--sanitizer", "none", target]);
     fuzz.arg(found).arg(format!("fuzz/corpus/{target}"));
     fuzz.args(["--", &format!("-max_total_time={seconds}"), "-max_len=4096"]);
+    fuzz.arg(format!("-runs={RUNS}"));
     fuzz.env("CARGO_TARGET_DIR", target_dir().join("fuzz"));
     fuzz.env_remove("RUSTUP_TOOLCHAIN").env_remove("CARGO");
     let output = fuzz.stdout(Stdio::inherit()).output()?;

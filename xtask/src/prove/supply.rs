@@ -1,14 +1,27 @@
 //! What is published, and what it rests on.
 
-use anyhow::Result;
+use std::iter;
+use std::path::PathBuf;
+
+use anyhow::{Result, ensure};
 
 use super::tools::{self, OLDEST};
+use crate::board::{self, Board};
 use crate::command::{cargo, command, run};
-use crate::target_dir;
+use crate::firmware::V6M;
+use crate::{root, target_dir};
 
 pub(super) fn prove() -> Result<String> {
     tools::subcommand("deny")?;
-    run(cargo().args(["deny", "check", "licenses", "bans", "sources"]))?;
+    for folder in workspaces() {
+        println!("{}", folder.display());
+        let mut deny = cargo();
+        deny.current_dir(&folder);
+        deny.args(["deny", "--log-level=error", "--workspace", "--config"]);
+        deny.arg(root().join("deny.toml"));
+        run(deny.args(["check", "licenses", "bans", "sources"]))?;
+    }
+    no_duplicates()?;
     // The database of advisories is fetched, which not every place allows.
     let advisories = run(cargo().args(["deny", "check", "advisories"]));
     let advisories = match advisories {
@@ -21,9 +34,32 @@ pub(super) fn prove() -> Result<String> {
     run(package.args(["--package", "long-multiply", "--package", "whitted"]))?;
     oldest()?;
     Ok(format!(
-        "licenses, sources and duplicates in order, {advisories}; both packages build as packed; Rust {} builds them",
+        "licenses and sources in order in {} workspaces, nothing twice in the library, {advisories}; \
+         both packages build as packed; Rust {} checks the library",
+        workspaces().count(),
         OLDEST.trim_start_matches('+')
     ))
+}
+
+/// The workspace, and what is one of its own.
+fn workspaces() -> impl Iterator<Item = PathBuf> {
+    let apart = ["boards/virt", "fuzz"].map(|folder| root().join(folder));
+    let boards = board::all().map(Board::folder);
+    iter::once(root().to_owned()).chain(boards).chain(apart)
+}
+
+/// What goes into firmware goes there once.
+fn no_duplicates() -> Result<()> {
+    let mut tree = cargo();
+    tree.args(["tree", "--duplicates", "--package", "whitted"]);
+    tree.args(["--edges", "normal", "--target", V6M]);
+    let output = tree.output()?;
+    let twice = String::from_utf8_lossy(&output.stdout);
+    ensure!(
+        output.status.success() && twice.is_empty(),
+        "the library depends on two versions of a crate:\n{twice}"
+    );
+    Ok(())
 }
 
 fn oldest() -> Result<()> {

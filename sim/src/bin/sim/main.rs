@@ -23,6 +23,10 @@ mod report;
 mod scene;
 mod send;
 mod terminal;
+#[cfg(feature = "window")]
+mod view;
+#[cfg(not(feature = "window"))]
+#[path = "without_window.rs"]
 mod view;
 
 use std::process::ExitCode;

@@ -5,7 +5,7 @@ use embedded_graphics_core::geometry::Size;
 use whitted::SceneBuffer;
 use whitted_sim::{render, scene_file};
 
-const SCENE: &str = include_str!("../../scenes/every_surface.toml");
+const SCENE: &str = include_str!("../scenes/every_surface.toml");
 const SIZE: Size = Size::new(4, 3);
 const CHECKSUM: u32 = 0x2930_e00a;
 

@@ -1,0 +1,41 @@
+//! All that moves.
+
+use core::hint::black_box;
+
+use whitted::{Animation, Interpolation, Key, Real, Stage, Target, Track};
+
+use crate::scenes::{Buffer, SCENE, number};
+use crate::{displays, text};
+
+/// Behind a reference, all of it is unknown, as of a scene.
+static ANIMATION: Animation = Animation {
+    duration: Real::ZERO,
+    looping: true,
+    tracks: &[Track {
+        target: Target::CameraOrbit,
+        interpolation: Interpolation::Smooth,
+        keys: &[
+            Key::number("0", "0"),
+            Key::angles("0", "0", "0"),
+            Key::vector("0", "0", "0", "0"),
+        ],
+    }],
+};
+
+pub(crate) fn play() {
+    let (scene, animation) = (black_box(&SCENE), black_box(&ANIMATION));
+    if let Err(error) = animation.check(scene) {
+        text::print(&error);
+    }
+    black_box(animation.camera(scene.camera, number()).is_ok());
+
+    let mut stage = Stage::<2, 1>::new();
+    let mut buffer = Buffer::new();
+    match stage.frame(scene, animation, number()) {
+        Ok(frame) => match buffer.prepare(&frame) {
+            Ok(scene) => displays::draw_on_all(black_box(&scene)),
+            Err(error) => text::print(&error),
+        },
+        Err(error) => text::print(&error),
+    }
+}
