@@ -34,7 +34,7 @@ pub const STM32F405: Board = Board {
     name: "stm32f405",
     target: V7EM,
     features: "",
-    flash: 91_000,
+    flash: 84_000,
 };
 
 /// The same for QEMU.
@@ -48,7 +48,7 @@ pub const PICO: Board = Board {
     name: "pico",
     target: V6M,
     features: "",
-    flash: 123_000,
+    flash: 116_000,
 };
 
 /// Those that no emulator runs.
@@ -57,19 +57,19 @@ pub const BUILT_ONLY: [Board; 3] = [
         name: "rp2350",
         target: V8M,
         features: "",
-        flash: 82_000,
+        flash: 76_000,
     },
     Board {
         name: "nrf52840",
         target: V7EM,
         features: "",
-        flash: 88_000,
+        flash: 81_000,
     },
     Board {
         name: "esp32c3",
         target: RISCV,
         features: "",
-        flash: 155_000,
+        flash: 135_000,
     },
 ];
 
