@@ -79,20 +79,16 @@ pub(super) fn run(elf: &Path, events: &[Event<'_>]) -> Result<Vec<Drawn>> {
     if let Some(port) = &port {
         node.stdin(port.device()?);
     }
-    let mut node = node
-        .stderr(Stdio::piped())
-        .spawn()
-        .context("node does not start")?;
+    let mut node = node.spawn().context("node does not start")?;
     let costs = watch(&mut node, events, port.as_ref());
     if costs.is_err() {
-        // It waits for what will not come; or it has ended.
+        // It waits for what will not come; or it has ended, and said why.
         node.kill()?;
     }
-    let output = node.wait_with_output()?;
-    let errors = String::from_utf8_lossy(&output.stderr);
-    let costs = costs.with_context(|| format!("the emulator says: {errors}"))?;
-    if !output.status.success() {
-        bail!("the emulator failed:\n{errors}");
+    let status = node.wait()?;
+    let costs = costs?;
+    if !status.success() {
+        bail!("the emulator failed: {status}");
     }
     let pictures = pictures(&fs::read(stream)?)?;
     let drawn = pictures.into_iter().zip(costs);
