@@ -43,10 +43,11 @@ pub(crate) fn look(light: &mut Light, objects: &[Object], endless: &[u16], sight
     };
     let bounds = objects
         .iter()
-        .filter_map(|object| object.shape.bounding_sphere());
+        .zip(0..)
+        .filter_map(|(object, number)| Some((object.shape.bounding_sphere()?, number)));
     let mut is_walled = false;
-    for (bound, sight) in bounds.zip(sights) {
-        *sight = bound.seen_from(light.position);
+    for ((bound, number), sight) in bounds.zip(sights) {
+        *sight = bound.seen_from(light.position, number);
         is_walled |= endless.iter().any(|number| parts(number, &bound));
     }
     light.is_walled = is_walled;

@@ -104,28 +104,28 @@ impl Animation<'_> {
         let time = self.moment(time);
         self.move_camera(camera, time);
         for track in self.tracks {
-            let value = self.value(track, time);
+            let value = || self.value(track, time);
             match track.target {
                 Target::ObjectPosition(index) => {
                     if let Some(object) = objects.get_mut(usize::from(index)) {
-                        *object.shape.position_mut() = value;
+                        *object.shape.position_mut() = value();
                     }
                 }
                 Target::ObjectRadius(index) => {
                     let object = objects.get_mut(usize::from(index));
                     if let Some(radius) = object.and_then(|object| object.shape.radius_mut()) {
-                        *radius = value.x;
+                        *radius = value().x;
                     }
                 }
                 Target::LightPosition(index) => {
                     if let Some(light) = lights.get_mut(usize::from(index)) {
-                        light.position = value;
+                        light.position = value();
                     }
                 }
                 Target::LightColor(index) => {
                     if let Some(light) = lights.get_mut(usize::from(index)) {
-                        *light =
-                            Light::point(light.position, Color::new(value.x, value.y, value.z));
+                        let Vec3 { x, y, z } = value();
+                        *light = Light::point(light.position, Color::new(x, y, z));
                     }
                 }
                 Target::CameraEye

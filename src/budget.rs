@@ -140,17 +140,14 @@ fn eye_rays() {
     let view = View::new(&camera, width, height);
     let mut seen = Seen::new("direction of an eye ray", -30, 2.5);
     for y in 0..height {
-        for (x, ray) in (0..).zip(view.line(y)) {
+        for (x, direction) in (0..).zip(view.line(y)) {
             let g = 0.5 / f64::from(height);
             let [x, y] = [
                 2 * x + 1 - i64::from(width),
                 i64::from(height) - 2 * i64::from(y) - 1,
             ]
             .map(|c| c as f64 * g);
-            seen.add(difference(
-                units(ray.direction),
-                unit(Vec3::new(x, y, -1.0)),
-            ));
+            seen.add(difference(units(direction), unit(Vec3::new(x, y, -1.0))));
         }
     }
     seen.report();

@@ -33,6 +33,7 @@ pub(crate) struct View {
 }
 
 impl View {
+    #[inline(never)]
     pub(crate) fn new(camera: &Camera, width: u32, height: u32) -> Self {
         let (width, height) = (width.min(MAX_SIDE), height.min(MAX_SIDE));
         // tangent / height: U4F28 * U1F31 -> U6F58
@@ -69,16 +70,28 @@ impl View {
         }
     }
 
-    /// The rays of line `y`, from left to right.
+    /// A ray from the eye, in no direction yet.
+    pub(crate) fn ray(&self) -> Ray {
+        Ray {
+            origin: Point::near(self.eye),
+            direction: Vec3::new(Unit::ZERO, Unit::ZERO, Unit::ZERO),
+            start: Start::NOWHERE,
+        }
+    }
+
+    /// The directions of the rays of line `y`, from left to right.
+    #[inline(never)]
     pub(crate) fn line(&self, y: u32) -> Line {
         let down = 2 * i64::from(y.min(MAX_SIDE)) + 1 - i64::from(self.height);
         let left = 1 - i64::from(self.width);
-        let across = self.right.zip(self.down, |r, d| {
-            r.wrapping_mul(left).wrapping_add(d.wrapping_mul(down))
-        });
+        // Half a step of a direction, which is then rounded by what is cut off.
+        let first = self
+            .forward
+            .zip(self.right, |f, r| f.wrapping_add(r.wrapping_mul(left)))
+            .zip(self.down, |f, d| f.wrapping_add(d.wrapping_mul(down)))
+            .map(|c| c.wrapping_add(1 << 31));
         Line {
-            eye: self.eye,
-            direction: self.forward.zip(across, i64::wrapping_add),
+            direction: first,
             step: self.right.map(|r| 2 * r),
             remaining: if y < self.height { self.width } else { 0 },
         }
@@ -150,6 +163,7 @@ impl Row {
 
     /// The column of the ray that is `n / d` as far to the right as it is ahead,
     /// rounded down, 0 to 65535.
+    #[inline(never)]
     pub(crate) fn column(&self, n: i64, d: u64) -> u16 {
         if n == 0 {
             return self.width / 2;
@@ -181,10 +195,10 @@ pub(crate) struct Columns {
     pub(crate) spacing: u8,
 }
 
-/// Eye rays along a line.
+/// The directions of the eye rays along a line.
 #[derive(Clone, Debug)]
 pub(crate) struct Line {
-    eye: Vec3<Length>,
+    /// Of the next, not of unit length: Q62 and half a step of Q30.
     direction: Vec3<i64>,
     step: Vec3<i64>,
     remaining: u32,
@@ -200,7 +214,7 @@ impl Line {
         self.remaining = self.remaining.saturating_sub(count);
     }
 
-    /// Those of the rays of a whole line that go through some columns.
+    /// Those of a whole line that go through some columns.
     pub(crate) fn through(mut self, columns: Columns) -> Self {
         let Columns { from, to, spacing } = columns;
         let to = to.min(self.remaining);
@@ -215,21 +229,16 @@ impl Line {
 }
 
 impl Iterator for Line {
-    type Item = Ray;
+    type Item = Vec3<Unit>;
 
     #[inline(always)]
-    fn next(&mut self) -> Option<Ray> {
+    fn next(&mut self) -> Option<Vec3<Unit>> {
         self.remaining = self.remaining.checked_sub(1)?;
-        // Q62 -> Q30, rounded
-        let direction = self.direction.map(|c| ((c + (1 << 31)) >> 32) as i32);
+        let direction = self.direction.map(high);
         let square = direction.map(|c| c.square());
         let inverse = inverse_length((square.x + square.y + square.z) as u64);
         self.direction = self.direction.zip(self.step, i64::wrapping_add);
-        Some(Ray {
-            origin: Point::near(self.eye),
-            direction: normalize(direction, inverse),
-            start: Start::NOWHERE,
-        })
+        Some(normalize(direction, inverse))
     }
 
     fn size_hint(&self) -> (usize, Option<usize>) {

@@ -20,6 +20,7 @@ impl Crc32 {
     }
 
     /// Feeds bytes.
+    #[inline(never)]
     pub fn update(&mut self, bytes: &[u8]) {
         for byte in bytes {
             self.0 ^= u32::from(*byte);

@@ -162,7 +162,7 @@ pub(crate) fn decode(bytes: &[u8], room: &mut impl Room) -> Result<Settings, Dec
         room.push_material(material)?;
     }
     for index in 0..header.objects {
-        let mut object = Object::default();
+        let mut object = Object::NONE;
         object.visit(&mut reader);
         check(object.is_valid(header.materials), Item::Object(index))?;
         room.push_object(object)?;

@@ -9,7 +9,7 @@ use crate::num::{Length, NEAR_LIMIT, Scaled, Unit};
 use crate::observer::Observer;
 use crate::prepared::{Object, PreparedScene};
 use crate::ray::{Point, Ray, Start};
-use crate::shape::{Path, Quadric, Shape, Sphereflake};
+use crate::shape::{Path, Quadric, Shape, Sphereflake, coarse, narrow};
 
 /// The nearest surface of a ray.
 #[derive(Clone, Copy, Debug)]
@@ -53,7 +53,7 @@ pub(crate) struct Part {
 }
 
 /// The first surface that a ray meets. What is met of a flake is written to `part`.
-#[inline(never)]
+#[inline(always)]
 pub(crate) fn nearest(
     scene: &PreparedScene<'_>,
     ray: &Ray,
@@ -118,7 +118,8 @@ impl<'r> Nearest<'r> {
     /// that it has left for good.
     #[inline(always)]
     fn meet_finite(&mut self, left: u16, observer: &mut impl Observer) {
-        let (origin, direction) = (self.ray.origin.coordinates, self.ray.direction);
+        let origin = coarse(self.ray.origin.coordinates);
+        let direction = narrow(self.ray.direction);
         observer.bounds(self.scene.finite.len() as u32);
         for around in self.scene.finite {
             if around.may_meet(origin, direction) && around.object != left {
@@ -228,6 +229,7 @@ fn nearest_endless(
 }
 
 /// How far an endless surface is, at any distance.
+#[inline(never)]
 fn endless_distance(object: &Object, ray: &Ray, is_start: bool) -> Option<Scaled> {
     match &object.shape {
         Shape::Plane(plane) if !is_start => plane.far_distance(ray),

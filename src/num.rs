@@ -16,6 +16,7 @@ mod decimal;
 mod product;
 
 pub(crate) use decimal::Decimal;
+pub(crate) use long_multiply::leading_zeros;
 pub(crate) use product::{Product, Square};
 
 /// An authored number: the range and precision of a scene as it is written
@@ -63,6 +64,15 @@ impl Scaled {
         exponent: -64,
     };
 
+    /// A distance, as [`Ray::far_at`](crate::ray::Ray::far_at) takes it: not shifted
+    /// up, and so in no order with others.
+    pub(crate) fn unordered(distance: Length) -> Self {
+        Self {
+            mantissa: distance.to_bits() as u32,
+            exponent: 0,
+        }
+    }
+
     /// The number as a distance, rounded, if it is below [`NEAR_LIMIT`].
     #[inline]
     pub(crate) fn near(self) -> Option<Length> {
@@ -95,7 +105,7 @@ fn shifted_up(x: u64, mask: u32) -> (u32, u32) {
     if high == 0 {
         (high, low, shift) = (scarce(low), 0, 32);
     }
-    let up = high.leading_zeros() & mask;
+    let up = leading_zeros(high) & mask;
     (high << up | (low >> 1) >> (31 - up), shift + up)
 }
 
@@ -124,7 +134,7 @@ pub(crate) fn quotient(n: u64, d: u64) -> Scaled {
 
 /// The upper half of the product of two numbers, `a b / 2^64`, with a relative
 /// error below 2^-30; shifted left by `shift`.
-#[inline]
+#[inline(never)]
 pub(crate) fn upper_product(a: u64, b: u64, shift: u32) -> u64 {
     let ((a, a_shift), (b, b_shift)) = (shifted_up(a, 31), shifted_up(b, 31));
     let product = wide(a, b);

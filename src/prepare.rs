@@ -41,10 +41,10 @@ pub(crate) fn prepare(scene: &Scene<'_>, room: &mut impl Room) -> Result<Setting
         room.push_material(self::material(material, scene, exposure))?;
     }
     for (object, index) in scene.objects.iter().zip(0..) {
-        room.push_object(Object {
-            shape: shape(&object.shape, &frame, Item::Object(index))?,
-            texture: texture(&object.texture, &frame, Item::Object(index))?,
-        })?;
+        room.push_object(Object::new(
+            shape(&object.shape, &frame, Item::Object(index))?,
+            texture(&object.texture, &frame, Item::Object(index))?,
+        ))?;
     }
     let (horizon, zenith) = match scene.background {
         Background::Solid(color) => (color, color),

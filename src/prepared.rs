@@ -7,7 +7,7 @@
 
 use crate::error::Full;
 use crate::num::{Factor, Length, Radiance, Unit, power};
-use crate::ray::Point;
+use crate::ray::{Nature, Point};
 use crate::shape::{Around, Plane, Shape, Sight};
 use crate::texture::Texture;
 use crate::{Color, Real, Vec3, scene};
@@ -48,16 +48,17 @@ pub struct PreparedScene<'b> {
 /// How the lights see the bounds of the finite objects, in their order.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sights<'b> {
-    /// Light after light, each so many sights long.
-    pub(crate) lights: &'b [Sight],
-    pub(crate) stride: usize,
+    /// Light after light.
+    pub(crate) all: &'b [Sight],
+    /// How many each light has: one for each finite object.
+    pub(crate) count: usize,
 }
 
 impl<'b> Sights<'b> {
-    /// How a light sees them; more may follow than there are.
+    /// Those of a light.
     #[inline(always)]
-    pub(crate) fn by_light(&self, index: usize) -> &'b [Sight] {
-        self.lights.get(index * self.stride..).unwrap_or(&[])
+    pub(crate) fn by_light(&self, index: usize) -> Option<&'b [Sight]> {
+        self.all.get(index * self.count..)?.get(..self.count)
     }
 }
 
@@ -114,18 +115,31 @@ pub(crate) struct Camera {
 }
 
 /// A shape and what covers it.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Object {
     pub(crate) shape: Shape,
     pub(crate) texture: Texture,
+    /// That of the shape: derived.
+    pub(crate) nature: Nature,
 }
 
 impl Object {
-    /// Nothing that a ray could meet.
-    const NONE: Self = Self {
+    /// Nothing that a ray could meet, or before it is read.
+    pub(crate) const NONE: Self = Self {
         shape: Shape::Plane(Plane::NONE),
         texture: Texture::Uniform(0),
+        nature: Nature::NONE,
     };
+
+    /// A shape that is covered so.
+    pub(crate) fn new(shape: Shape, texture: Texture) -> Self {
+        let nature = shape.nature();
+        Self {
+            shape,
+            texture,
+            nature,
+        }
+    }
 }
 
 /// A point light.
@@ -190,10 +204,16 @@ impl Material {
 fn dimmest(exponent: u32) -> u32 {
     // The fraction of the exponent would only raise it.
     let is_dim = |base| power(base, exponent >> 16 << 16) < 1 << 15;
-    (0..31).rev().fold(0, |base, bit| {
-        let next = base | 1 << bit;
-        if is_dim(next) { next } else { base }
-    }) + 1
+    let (mut dim, mut bright) = (0, 1 << 31);
+    while bright - dim > 1 {
+        let middle = (dim + bright) / 2;
+        if is_dim(middle) {
+            dim = middle;
+        } else {
+            bright = middle;
+        }
+    }
+    bright
 }
 
 impl<'b> PreparedScene<'b> {
@@ -230,7 +250,7 @@ impl<'b> PreparedScene<'b> {
     }
 
     /// What an object lets through at a point of its surface.
-    #[inline]
+    #[inline(never)]
     pub(crate) fn transmitted(&self, object: &Object, point: Point) -> Color<Factor> {
         self.material(object.texture.material(point)).kt
     }
@@ -244,8 +264,8 @@ mod tests {
     #[test]
     fn items_take_as_many_bytes_as_documented() {
         assert_eq!(size_of::<Object>(), 112);
-        assert_eq!(size_of::<Around>(), 24);
-        assert_eq!(size_of::<Sight>(), 16);
+        assert_eq!(size_of::<Around>(), 16);
+        assert_eq!(size_of::<Sight>(), 12);
         assert_eq!(size_of::<Light>(), 28);
         assert_eq!(size_of::<Material>(), 56);
     }

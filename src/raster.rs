@@ -4,6 +4,7 @@ use crate::camera::{Columns, Line, View};
 use crate::coverage::Coverage;
 use crate::num::Radiance;
 use crate::observer::Observer;
+use crate::ray::Ray;
 use crate::tracer::{Scratch, trace};
 use crate::{Color, PreparedScene};
 
@@ -26,6 +27,7 @@ impl<'s> Raster<'s> {
 
     /// The pixels of some columns of a view's line `y`, with their columns. A
     /// line outside of the view is empty.
+    #[inline(never)]
     pub(crate) fn pixels<'r, O>(
         &'r mut self,
         view: &View,
@@ -35,7 +37,8 @@ impl<'s> Raster<'s> {
     ) -> Pixels<'r, O> {
         self.coverage.look(self.scene, view, y);
         Pixels {
-            rays: view.line(y).through(columns),
+            ray: view.ray(),
+            directions: view.line(y).through(columns),
             x: columns.from,
             spacing: columns.spacing,
             scene: self.scene,
@@ -53,17 +56,24 @@ impl<'s> Raster<'s> {
         y: u32,
         observer: &mut impl Observer,
     ) -> Color<Radiance> {
-        let mut rays = view.line(y);
-        rays.pass(x);
-        rays.next().map_or(Color::<Radiance>::BLACK, |ray| {
-            trace(self.scene, &ray, None, &mut self.scratch, observer)
-        })
+        let mut directions = view.line(y);
+        directions.pass(x);
+        directions
+            .next()
+            .map_or(Color::<Radiance>::BLACK, |direction| {
+                let ray = Ray {
+                    direction,
+                    ..view.ray()
+                };
+                trace(self.scene, &ray, None, &mut self.scratch, observer)
+            })
     }
 }
 
 /// Pixels of a line as they are traced.
 pub(crate) struct Pixels<'r, O> {
-    rays: Line,
+    ray: Ray,
+    directions: Line,
     x: u32,
     spacing: u8,
     scene: &'r PreparedScene<'r>,
@@ -76,7 +86,7 @@ impl<O> Pixels<'_, O> {
     /// Passes over the pixels before column `x`.
     pub(crate) fn pass_to(&mut self, x: u32) {
         let count = x.saturating_sub(self.x) >> self.spacing;
-        self.rays.pass(count);
+        self.directions.pass(count);
         self.x += count << self.spacing;
     }
 }
@@ -86,15 +96,21 @@ impl<O: Observer> Iterator for Pixels<'_, O> {
 
     #[inline(always)]
     fn next(&mut self) -> Option<Self::Item> {
-        let ray = self.rays.next()?;
+        self.ray.direction = self.directions.next()?;
         let x = self.x;
         self.x += 1 << self.spacing;
         let candidates = self.coverage.at(x);
-        let color = trace(self.scene, &ray, candidates, self.scratch, self.observer);
+        let color = trace(
+            self.scene,
+            &self.ray,
+            candidates,
+            self.scratch,
+            self.observer,
+        );
         Some((x, color))
     }
 
     fn size_hint(&self) -> (usize, Option<usize>) {
-        self.rays.size_hint()
+        self.directions.size_hint()
     }
 }

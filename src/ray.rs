@@ -47,14 +47,17 @@ impl Point {
 
     /// The point in steps of 2^shift, with the shift that fits it.
     fn fitted(mut coordinates: Vec3<i64>, mut shift: u32) -> Self {
-        let reach = |c: Vec3<i64>| c.x.abs().max(c.y.abs()).max(c.z.abs());
-        while reach(coordinates) >= 1 << 30 || shift == 0 && reach(coordinates) > i64::from(NEAR) {
-            coordinates = coordinates.map(|c| c >> 1);
-            shift += 1;
-        }
-        while shift > 0 && reach(coordinates) < 1 << 28 {
-            coordinates = coordinates.map(|c| c << 1);
-            shift -= 1;
+        loop {
+            let reach = reach(coordinates);
+            if reach >= 1 << 30 || shift == 0 && reach > i64::from(NEAR) {
+                coordinates = coordinates.map(|c| c >> 1);
+                shift += 1;
+            } else if shift > 0 && reach < 1 << 28 {
+                coordinates = coordinates.map(|c| c << 1);
+                shift -= 1;
+            } else {
+                break;
+            }
         }
         Self {
             coordinates: coordinates.map(|c| Length::from_bits(c as i32)),
@@ -92,10 +95,27 @@ pub(crate) struct Start {
     pub(crate) part: u32,
     /// Whether the ray runs through the inside of the object.
     pub(crate) inward: bool,
-    /// Whether the ray can meet the object again.
+    pub(crate) nature: Nature,
+}
+
+/// What an object is to the rays that start on it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Nature {
+    /// Whether a ray can meet it again.
     pub(crate) again: Again,
-    /// Whether the object is finite.
+    /// Whether it is finite.
     pub(crate) is_finite: bool,
+    /// Whether it bounds no inside.
+    pub(crate) is_open: bool,
+}
+
+impl Nature {
+    /// Of nothing.
+    pub(crate) const NONE: Self = Self {
+        again: Again::Perhaps,
+        is_finite: false,
+        is_open: false,
+    };
 }
 
 /// Whether a ray can meet the object again that it starts on.
@@ -113,7 +133,7 @@ impl Start {
     /// that none has.
     #[inline(always)]
     pub(crate) fn left(&self) -> u16 {
-        match self.again {
+        match self.nature.again {
             Again::Never => self.object,
             Again::Inward if !self.inward => self.object,
             _ => Self::NOWHERE.object,
@@ -125,8 +145,7 @@ impl Start {
         object: u16::MAX,
         part: 0,
         inward: false,
-        again: Again::Perhaps,
-        is_finite: false,
+        nature: Nature::NONE,
     };
 }
 
@@ -138,11 +157,7 @@ impl Ray {
         let above =
             |c: Length| (c.to_bits().wrapping_add(NEAR) as u32).saturating_sub(2 * NEAR as u32);
         if above(coordinates.x) | above(coordinates.y) | above(coordinates.z) != 0 {
-            let mantissa = distance.to_bits() as u32;
-            return self.far_at(Scaled {
-                mantissa,
-                exponent: 0,
-            });
+            return self.far_at(Scaled::unordered(distance));
         }
         Point::near(coordinates)
     }
@@ -202,6 +217,11 @@ impl Ray {
         let skipped = (i64::from(middle) << shift) - i64::from(BEFORE.to_bits());
         Some((Self { origin, ..*self }, skipped))
     }
+}
+
+/// The largest coordinate of all.
+fn reach(c: Vec3<i64>) -> i64 {
+    c.x.abs().max(c.y.abs()).max(c.z.abs())
 }
 
 /// `x >> shift`, also for shifts that leave nothing.

@@ -5,10 +5,10 @@
 use core::ptr;
 
 use crate::intersect::{Hit, Part};
-use crate::num::{Factor, Product, Radiance, Unit, power, reciprocal_root};
+use crate::num::{Factor, Product, Radiance, Unit, leading_zeros, power, reciprocal_root};
 use crate::observer::{Observer, share};
 use crate::prepared::{Material, PreparedScene};
-use crate::ray::{Again, Point, Ray, Start};
+use crate::ray::{Point, Ray, Start};
 use crate::shadow::ShadowRay;
 use crate::shape::Shape;
 use crate::{Color, Vec3, optics};
@@ -27,12 +27,10 @@ pub(crate) struct Surface<'s> {
     /// What a ray that starts here on the same side must not meet again;
     /// `inward` if the ray came from behind the surface.
     start: Start,
-    /// Whether the surface bounds no inside.
-    open: bool,
 }
 
 impl<'s> Surface<'s> {
-    #[inline(never)]
+    #[inline(always)]
     pub(crate) fn new(scene: &PreparedScene<'s>, ray: &Ray, hit: Hit, part: &Part) -> Self {
         let object = scene.object(hit.object);
         let point = hit.point(object, ray);
@@ -40,25 +38,12 @@ impl<'s> Surface<'s> {
             object: hit.object,
             part: 0,
             inward: false,
-            again: Again::Perhaps,
-            is_finite: true,
+            nature: object.nature,
         };
-        let mut open = false;
         let normal = match &object.shape {
-            Shape::Sphere(sphere) => {
-                start.again = Again::Inward;
-                sphere.normal(point.coordinates)
-            }
-            Shape::Plane(plane) => {
-                (start.again, start.is_finite) = (Again::Never, false);
-                open = plane.bounds.is_some();
-                plane.normal
-            }
-            Shape::Quadric(quadric) => {
-                start.is_finite = !quadric.is_endless();
-                open = quadric.is_open();
-                quadric.normal(point)
-            }
+            Shape::Sphere(sphere) => sphere.normal(point.coordinates),
+            Shape::Plane(plane) => plane.normal,
+            Shape::Quadric(quadric) => quadric.normal(point),
             Shape::Sphereflake(_) => {
                 start.part = part.path;
                 part.normal
@@ -74,7 +59,6 @@ impl<'s> Surface<'s> {
             cosine: cosine.abs(),
             material,
             start,
-            open,
         }
     }
 
@@ -185,7 +169,7 @@ impl<'s> Surface<'s> {
             // |L - V|² / 4, as U0F32, is at most 1 and 0 only against the light.
             let square = ((1 << 60) - across.to_bits()) >> 29;
             let square = square.clamp(1, i64::from(u32::MAX)) as u32;
-            let shift = square.leading_zeros() & !1;
+            let shift = leading_zeros(square) & !1;
             // Q30 * U1F31 * 2^(shift/2) / 2 -> Q31
             let product = sum.product(reciprocal_root(square << shift));
             (product >> (31 - shift / 2)) as i64
@@ -212,7 +196,7 @@ impl<'s> Surface<'s> {
         if kt.is_black() {
             return shares;
         }
-        let direction = if self.open {
+        let direction = if self.start.nature.is_open {
             Some(self.view)
         } else {
             self.refracted()

@@ -4,11 +4,11 @@
 //! way is known without a root and without the point where it is met. Only
 //! what lets light through, or is of a rarer shape, is looked at more closely.
 
-use crate::num::{Factor, Length, Unit};
+use crate::num::{Factor, Length, Scaled, Unit};
 use crate::observer::{Observer, RayKind};
 use crate::prepared::{Light, Object, PreparedScene};
 use crate::ray::{Point, Ray, Start};
-use crate::shape::{Plane, Quadric, Shape, Sphere};
+use crate::shape::{Plane, Quadric, Shape, Sphere, narrow};
 use crate::texture::Texture;
 use crate::vector::round_length;
 use crate::{Color, Vec3};
@@ -42,16 +42,16 @@ impl ShadowRay<'_> {
         observer.ray(RayKind::Shadow);
         observer.bounds(scene.finite.len() as u32);
         let own = self.start.left();
-        for (sight, around) in scene.sights.by_light(index).iter().zip(scene.finite) {
-            // The opposite direction has the same line.
-            if sight.may_meet(self.to_light)
-                && around.object != own
-                && !self.passes(scene, around.object, left, observer)
+        let direction = narrow(self.to_light);
+        for sight in scene.sights.by_light(index).unwrap_or_default() {
+            if sight.may_meet(direction)
+                && sight.object != own
+                && !self.passes(scene, sight.object, left, observer)
             {
                 return false;
             }
         }
-        if self.start.is_finite && !self.light.is_walled && self.point.is_near() {
+        if self.start.nature.is_finite && !self.light.is_walled && self.point.is_near() {
             return true;
         }
         let mut endless = scene.endless.iter().filter(|&&object| object != own);
@@ -165,64 +165,74 @@ fn filtered(
     mut left: Color<Factor>,
     observer: &mut impl Observer,
 ) -> Color<Factor> {
-    let crossings = match &object.shape {
-        Shape::Sphere(sphere) => sphere_crossings(sphere, shadow, is_start),
-        Shape::Plane(plane) => [plane_crossing(plane, shadow), None],
-        Shape::Quadric(quadric) => quadric_crossings(quadric, shadow, is_start),
+    let mut pass = |point| {
+        left = left.filtered(scene.transmitted(object, point));
+        !left.is_black()
+    };
+    let (ray, crossings) = match &object.shape {
+        Shape::Sphere(sphere) => shadow.of_sphere(sphere, is_start),
+        Shape::Quadric(quadric) => shadow.of_quadric(quadric, is_start),
+        Shape::Plane(plane) => {
+            if let Some(point) = shadow.of_plane(plane) {
+                pass(point);
+            }
+            return left;
+        }
         Shape::Sphereflake(flake) => {
             let ray = shadow.ray();
             let from = is_start.then_some(*shadow.start);
             flake.crossings(&ray, from, shadow.distance(), observer, &mut |distance| {
-                left = left.filtered(scene.transmitted(object, ray.at(distance)));
-                !left.is_black()
+                pass(ray.at(distance))
             });
-            [None, None]
+            return left;
         }
     };
-    for point in crossings.into_iter().flatten() {
-        left = left.filtered(scene.transmitted(object, point));
+    for distance in crossings.into_iter().flatten() {
+        if (1..shadow.reach()).contains(&distance.to_bits()) {
+            pass(ray.far_at(distance));
+        }
     }
     left
 }
 
-fn sphere_crossings(sphere: &Sphere, shadow: &ShadowRay<'_>, is_start: bool) -> [Option<Point>; 2] {
-    let ray = shadow.ray();
-    let [entry, exit] = sphere.crossings(shadow.light.position, ray.direction);
-    let before = |distance: &Length| *distance > Length::ZERO && *distance < shadow.distance();
-    // From the inside of a sphere the exit is the lit point itself.
-    let exit = if is_start { None } else { exit };
-    [entry, exit].map(|crossing| crossing.filter(before).map(|distance| ray.at(distance)))
-}
+/// A ray, and where it crosses an object.
+type Crossings = (Ray, [Option<Scaled>; 2]);
 
-fn plane_crossing(plane: &Plane, shadow: &ShadowRay<'_>) -> Option<Point> {
-    let point = if plane.may_hold(*shadow.point) {
-        *shadow.point
-    } else {
-        let ray = shadow.ray();
-        ray.far_at(plane.unbounded_distance(&ray)?)
-    };
-    plane.covers(point).then_some(point)
-}
+impl ShadowRay<'_> {
+    fn of_sphere(&self, sphere: &Sphere, is_start: bool) -> Crossings {
+        let ray = self.ray();
+        let [entry, exit] = sphere.crossings(self.light.position, ray.direction);
+        // From the inside of a sphere the exit is the lit point itself.
+        let exit = exit.filter(|_| !is_start);
+        let ahead = |it: Option<Length>| it.filter(|distance| *distance > Length::ZERO);
+        (
+            ray,
+            [ahead(entry), ahead(exit)].map(|it| it.map(Scaled::unordered)),
+        )
+    }
 
-/// Its own surface is looked for from the point, where one root is known.
-fn quadric_crossings(
-    quadric: &Quadric,
-    shadow: &ShadowRay<'_>,
-    is_start: bool,
-) -> [Option<Point>; 2] {
-    let (ray, start) = if is_start {
-        let back = Ray {
-            origin: *shadow.point,
-            direction: shadow.to_light,
-            start: *shadow.start,
+    /// Its own surface is looked for from the point, where one root is known.
+    fn of_quadric(&self, quadric: &Quadric, is_start: bool) -> Crossings {
+        let (ray, start) = if is_start {
+            let back = Ray {
+                origin: *self.point,
+                direction: self.to_light,
+                start: *self.start,
+            };
+            (back, Some(self.start.inward))
+        } else {
+            (self.ray(), None)
         };
-        (back, Some(shadow.start.inward))
-    } else {
-        (shadow.ray(), None)
-    };
-    quadric.crossings(&ray, start).map(|crossing| {
-        crossing
-            .filter(|distance| (1..shadow.reach()).contains(&distance.to_bits()))
-            .map(|distance| ray.far_at(distance))
-    })
+        (ray, quadric.crossings(&ray, start))
+    }
+
+    fn of_plane(&self, plane: &Plane) -> Option<Point> {
+        let point = if plane.may_hold(*self.point) {
+            *self.point
+        } else {
+            let ray = self.ray();
+            ray.far_at(plane.unbounded_distance(&ray)?)
+        };
+        plane.covers(point).then_some(point)
+    }
 }

@@ -11,8 +11,9 @@ mod sphere;
 mod sphereflake;
 
 use crate::observer::ShapeKind;
+use crate::ray::{Again, Nature};
 
-pub(crate) use bound::{Around, Bound, Sight};
+pub(crate) use bound::{Around, Bound, Sight, coarse, narrow};
 pub(crate) use plane::{Bounds, Plane};
 pub(crate) use quadric::{Cone, Cylinder, Ellipsoid, Form, Paraboloid, Quadric};
 pub(crate) use sphere::Sphere;
@@ -41,6 +42,21 @@ impl Shape {
             Self::Plane(_) => None,
             Self::Quadric(quadric) => quadric.bounding_sphere(),
             Self::Sphereflake(flake) => Some(flake.bounding_sphere()),
+        }
+    }
+
+    /// What it is to the rays that start on it.
+    pub(crate) fn nature(&self) -> Nature {
+        let (again, is_finite, is_open) = match self {
+            Self::Sphere(_) => (Again::Inward, true, false),
+            Self::Plane(plane) => (Again::Never, false, plane.bounds.is_some()),
+            Self::Quadric(quadric) => (Again::Perhaps, !quadric.is_endless(), quadric.is_open()),
+            Self::Sphereflake(_) => (Again::Perhaps, true, false),
+        };
+        Nature {
+            again,
+            is_finite,
+            is_open,
         }
     }
 

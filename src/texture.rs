@@ -42,7 +42,7 @@ impl Texture {
 }
 
 impl Checker {
-    #[inline]
+    #[inline(never)]
     fn material(&self, point: Point) -> u16 {
         let parity = self.position(0, point) ^ self.position(1, point);
         self.materials[(parity >> 31) as usize]

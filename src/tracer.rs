@@ -105,7 +105,7 @@ pub(crate) fn trace(
 }
 
 /// Adds what the rays bring back that go on from where the eye ray hit.
-#[inline(never)]
+#[inline(always)]
 fn tree(
     scene: &PreparedScene<'_>,
     ray: &Ray,
@@ -181,7 +181,7 @@ fn tell(
 
 /// Turns a branch into the one that follows from its hit, and puts off what
 /// else follows; false if nothing does.
-#[inline(never)]
+#[inline(always)]
 fn follow(
     surface: &Surface<'_>,
     settings: &Settings,

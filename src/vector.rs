@@ -106,7 +106,7 @@ impl Vec3<Length> {
     /// The unit vector along it, each component to 2^-30, and its length.
     ///
     /// The length must be below 8; the unit vector of zero is zero.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn normalized(self) -> (Vec3<Unit>, InverseLength) {
         let inverse = inverse_length(self.squared().to_bits() as u64);
         (normalize(self.map(Length::to_bits), inverse), inverse)

@@ -2,6 +2,9 @@
 
 #![allow(clippy::unwrap_used)]
 
+#[path = "common/mirror_ball.rs"]
+mod mirror_ball;
+
 use std::convert::Infallible;
 
 use embedded_graphics::draw_target::DrawTarget;
@@ -12,39 +15,9 @@ use embedded_graphics::pixelcolor::{
 };
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
-use whitted::{
-    Camera, Color, Light, Material, MaterialId, Object, Observer, RayKind, Real, Renderer, Scene,
-    SceneBuffer, Stats, Texture, Vec3,
-};
+use whitted::{Observer, RayKind, Renderer, SceneBuffer, Stats};
 
-const RED: Material = Material {
-    kd: Color::lit("0.8", "0.1", "0.1"),
-    ..Material::BLACK
-};
-
-static SCENE: Scene = Scene {
-    lights: &[Light::point(
-        Vec3::lit("-6", "11", "7"),
-        Color::gray(Real::ONE),
-    )],
-    materials: &[
-        RED,
-        Material {
-            kr: Color::lit("0.5", "0.5", "0.5"),
-            ..RED
-        },
-    ],
-    objects: &[
-        Object::sphere(Vec3::lit("0", "1", "0"), Real::ONE, MaterialId(1)),
-        Object::floor(Real::ZERO, Texture::Uniform(MaterialId(0))),
-    ],
-    max_depth: 2,
-    ..Scene::new(Camera::new(
-        Vec3::lit("0", "2", "8"),
-        Vec3::lit("0", "1", "0"),
-        Real::lit("33"),
-    ))
-};
+use mirror_ball::SCENE;
 
 /// The mock display panics on a pixel that is drawn twice or lies outside.
 fn draws_every_pixel_once<C>(size: Size)

@@ -2,6 +2,9 @@
 
 #![allow(clippy::unwrap_used)]
 
+#[path = "common/mirror_ball.rs"]
+mod mirror_ball;
+
 use std::collections::HashMap;
 
 use embedded_graphics::Pixel;
@@ -10,39 +13,9 @@ use embedded_graphics::pixelcolor::{Gray2, Rgb888};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use fastrand::Rng;
-use whitted::{
-    Camera, Color, Drawing, Light, Material, MaterialId, Object, Output, PreparedScene, Real,
-    Renderer, Scene, SceneBuffer, Stats, Step, Texture, Vec3,
-};
+use whitted::{Drawing, Output, PreparedScene, Renderer, SceneBuffer, Stats, Step};
 
-const RED: Material = Material {
-    kd: Color::lit("0.8", "0.1", "0.1"),
-    ..Material::BLACK
-};
-
-static SCENE: Scene = Scene {
-    lights: &[Light::point(
-        Vec3::lit("-6", "11", "7"),
-        Color::gray(Real::ONE),
-    )],
-    materials: &[
-        RED,
-        Material {
-            kr: Color::lit("0.5", "0.5", "0.5"),
-            ..RED
-        },
-    ],
-    objects: &[
-        Object::sphere(Vec3::lit("0", "1", "0"), Real::ONE, MaterialId(1)),
-        Object::floor(Real::ZERO, Texture::Uniform(MaterialId(0))),
-    ],
-    max_depth: 2,
-    ..Scene::new(Camera::new(
-        Vec3::lit("0", "2", "8"),
-        Vec3::lit("0", "1", "0"),
-        Real::lit("33"),
-    ))
-};
+use mirror_ball::SCENE;
 
 /// Runs a test with the scene, ready to be traced.
 fn with_scene(test: impl FnOnce(&PreparedScene<'_>)) {

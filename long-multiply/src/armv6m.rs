@@ -108,3 +108,53 @@ pub(crate) fn square(a: i32) -> i64 {
     }
     i64::from(high) << 32 | i64::from(low)
 }
+
+/// By halves, bytes and nibbles, and a table for what is left.
+#[unsafe(naked)]
+extern "C" fn count_leading_zeros() {
+    naked_asm!(
+        "movs r1, #0",
+        "lsrs r2, r0, #16",
+        "bne 1f",
+        "movs r1, #16",
+        "lsls r0, r0, #16",
+        "1:",
+        "lsrs r2, r0, #24",
+        "bne 2f",
+        "adds r1, #8",
+        "lsls r0, r0, #8",
+        "2:",
+        "lsrs r2, r0, #28",
+        "bne 3f",
+        "adds r1, #4",
+        "lsls r0, r0, #4",
+        "3:",
+        "lsrs r0, r0, #28",
+        "adr r2, 4f",
+        "ldrb r0, [r2, r0]",
+        "adds r0, r0, r1",
+        "bx lr",
+        ".p2align 2",
+        "4:",
+        ".byte 4, 3, 2, 2, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0",
+    )
+}
+
+#[inline(always)]
+pub(crate) fn leading_zeros(x: u32) -> u32 {
+    let zeros;
+    // SAFETY: as for products; memory is read, but nothing that changes.
+    unsafe {
+        asm!(
+            "bl {routine}",
+            routine = sym count_leading_zeros,
+            inout("r0") x => zeros,
+            out("r1") _,
+            out("r2") _,
+            out("r12") _,
+            out("lr") _,
+            options(pure, nomem),
+        );
+    }
+    zeros
+}

@@ -17,3 +17,8 @@ pub(crate) fn mixed(a: i32, b: u32) -> i64 {
 pub(crate) fn square(a: i32) -> i64 {
     i64::from(a) * i64::from(a)
 }
+
+#[inline(always)]
+pub(crate) fn leading_zeros(x: u32) -> u32 {
+    x.leading_zeros()
+}

@@ -1,4 +1,6 @@
 //! Where the fields of an item go to or come from: one list serves both ways.
+//!
+//! Nothing is inlined: there are many fields, and they are read once.
 
 use fixed::traits::Fixed;
 
@@ -40,8 +42,6 @@ pub(super) struct Reader<'a> {
 }
 
 impl Archive for Reader<'_> {
-    /// Not inlined: there are many fields, and they are read once.
-    #[inline(never)]
     fn bytes<const N: usize>(&mut self, bytes: &mut [u8; N]) {
         if let Some((first, rest)) = self.bytes.split_first_chunk::<N>() {
             (*bytes, self.bytes) = (*first, rest);
@@ -60,6 +60,7 @@ pub(super) trait Fields {
 macro_rules! integers {
     ($($integer:ty),*) => {$(
         impl Fields for $integer {
+            #[inline(never)]
             fn visit(&mut self, archive: &mut impl Archive) {
                 let mut bytes = self.to_le_bytes();
                 archive.bytes(&mut bytes);
@@ -72,6 +73,7 @@ macro_rules! integers {
 integers!(u8, i8, u16, i32, u32, i64);
 
 /// A number of the `fixed` crate by its bits.
+#[inline(never)]
 pub(super) fn fixed<F, const N: usize>(value: &mut F, archive: &mut impl Archive)
 where
     F: Fixed<Bytes = [u8; N]>,
@@ -81,6 +83,7 @@ where
     *value = F::from_le_bytes(bytes);
 }
 
+#[inline(never)]
 pub(super) fn vector<F, const N: usize>(v: &mut Vec3<F>, archive: &mut impl Archive)
 where
     F: Fixed<Bytes = [u8; N]>,
@@ -90,6 +93,7 @@ where
     fixed(&mut v.z, archive);
 }
 
+#[inline(never)]
 pub(super) fn color<F, const N: usize>(c: &mut Color<F>, archive: &mut impl Archive)
 where
     F: Fixed<Bytes = [u8; N]>,

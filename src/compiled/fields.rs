@@ -75,6 +75,7 @@ impl Fields for Object {
     fn visit(&mut self, archive: &mut impl Archive) {
         self.shape.visit(archive);
         self.texture.visit(archive);
+        self.nature = self.shape.nature();
     }
 }
 

@@ -19,16 +19,19 @@ fn is_within<F: Fixed + Neg<Output = F>>(value: F, most: F) -> bool {
     (-most..=most).contains(&value)
 }
 
+#[inline(never)]
 fn is_within_one(point: Vec3<Length>) -> bool {
     point.all(|c| is_within(c, Length::ONE))
 }
 
+#[inline(never)]
 fn is_unit(v: Vec3<Unit>) -> bool {
     // Within 2^-20 of 1; components beyond 1 would overflow.
     v.all(|c| is_within(c, Unit::ONE)) && (v.dot(v).to_bits() - (1 << 60)).abs() < 1 << 40
 }
 
 /// Whether unit vectors are at right angles, to 2^-20.
+#[inline(never)]
 fn are_square(u: Vec3<Unit>, v: Vec3<Unit>) -> bool {
     is_within(u.cosine(v), Unit::DELTA * (1 << 10))
 }
@@ -38,6 +41,7 @@ fn is_size(length: Length) -> bool {
     (Length::DELTA..=Length::ONE).contains(&length)
 }
 
+#[inline(never)]
 fn are_factors<const N: usize>(colors: [Color<Factor>; N]) -> bool {
     colors
         .into_iter()

@@ -1,11 +1,13 @@
+use fixed::types::I8F56;
+
 use crate::Vec3;
-use crate::num::{Length, Square, Unit};
+use crate::num::{Length, Square, Unit, quotient, square_root};
 use crate::vector::high;
 
 /// A sphere around all of a finite shape.
 ///
-/// Most rays pass most shapes by. Whether one does is told by the high words
-/// of a few products; what is left is looked at closely.
+/// Most rays pass most shapes by. Whether one does is told by products of 16
+/// bits, which every core has; what is left is looked at closely.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bound {
     pub(crate) center: Vec3<Length>,
@@ -13,85 +15,209 @@ pub(crate) struct Bound {
 }
 
 impl Bound {
-    /// How a near point sees it.
-    pub(crate) fn seen_from(&self, point: Vec3<Length>) -> Sight {
+    /// How a near point sees it, an object's.
+    pub(crate) fn seen_from(&self, point: Vec3<Length>, object: u16) -> Sight {
+        /// More than what rounding the two directions does to their cosine: 5.2 * 2^-16.
+        const MARGIN: i32 = 3 << 15;
+        let mut sight = Sight {
+            object,
+            ..Sight::NONE
+        };
         let to_center = self.center - point;
-        let square = to_center.squared() - self.radius.square();
-        Sight {
-            to_center,
-            least: (high(square.to_bits()) >> 4).saturating_sub(2),
+        let square = to_center.squared();
+        let tangent_squared = square - self.radius.square();
+        if tangent_squared > 0 {
+            // Q56 -> Q28
+            let root = |square: I8F56| u64::from(square_root(square.to_bits() as u64));
+            let cosine = quotient(root(tangent_squared).max(1), root(square)).to_bits();
+            sight.least = cosine as i32 - MARGIN;
+            // Q30 -> Q14, rounded
+            let away = -to_center.normalized().0;
+            sight.away = away.map(|c| ((c.to_bits() + (1 << 15)) >> 16) as i16);
         }
+        sight
     }
 
     /// For rays from anywhere, of an object.
     pub(crate) fn around(&self, object: u16) -> Around {
         Around {
-            center: self.center,
-            radius: self.radius,
-            reach: high(self.radius.square().to_bits()) + 4,
+            center: self
+                .center
+                .map(|c| ((c.to_bits() + (1 << 15)) >> 16) as i16),
             object,
+            radius: self.radius + MOVED,
+            reach: high((self.radius + MOVED).square().to_bits()) + 4,
         }
     }
 }
 
-/// A bound as seen from a point where many rays start.
-#[derive(Clone, Copy, Debug, Default)]
+/// More than a difference moves as one point is rounded to Q12 and another down to it:
+/// `sqrt(3) * 1.5 * 2^-12`.
+const MOVED: Length = Length::lit("0.00065");
+
+/// A direction for products of 16 bits: Q16, rounded down.
+#[inline(always)]
+pub(crate) fn narrow(direction: Vec3<Unit>) -> Vec3<i32> {
+    direction.map(|c| c.to_bits() >> 14)
+}
+
+/// A point for differences of 16 bits: Q12, rounded down.
+#[inline(always)]
+pub(crate) fn coarse(point: Vec3<Length>) -> Vec3<i32> {
+    point.map(|c| c.to_bits() >> 16)
+}
+
+/// The dot product of vectors whose lengths have a product below 2^31.
+#[inline(always)]
+fn dot(a: Vec3<i32>, b: Vec3<i32>) -> i32 {
+    let Vec3 { x, y, z } = a.zip(b, i32::wrapping_mul);
+    x.wrapping_add(y).wrapping_add(z)
+}
+
+/// An object's bound as seen from a point where many rays start: a cone.
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Sight {
-    to_center: Vec3<Length>,
-    /// Rays that come nearer to the center have at least this square of the
-    /// way to where they are nearest: Q20, rounded down by what the high words
-    /// leave out.
+    /// From the center to the point: Q14.
+    away: Vec3<i16>,
+    /// The object's number.
+    pub(crate) object: u16,
+    /// The cosine, at least, between that and the opposite of a ray that may meet
+    /// the bound: Q30.
     least: i32,
 }
 
 impl Sight {
-    /// Before it is computed.
+    /// From within the bound, or before it is computed: any ray may meet it.
     pub(crate) const NONE: Self = Self {
-        to_center: Vec3::new(Length::ZERO, Length::ZERO, Length::ZERO),
+        away: Vec3::new(0, 0, 0),
+        object: 0,
         least: 0,
     };
 
-    /// Whether the line of a ray may meet the shape.
+    /// Whether the object may be on the way to the point from a direction, which is
+    /// [`narrow`].
     #[inline(always)]
-    pub(crate) fn may_meet(&self, direction: Vec3<Unit>) -> bool {
-        // Q58 -> Q26, whose square is Q52 -> Q20.
-        let middle = high(self.to_center.along(direction).to_bits());
-        high(middle.square()) >= self.least
+    pub(crate) fn may_meet(&self, direction: Vec3<i32>) -> bool {
+        dot(self.away.map(i32::from), direction) >= self.least
     }
 }
 
 /// The bound of an object, for rays from anywhere.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Around {
-    center: Vec3<Length>,
+    /// Q12.
+    center: Vec3<i16>,
+    /// The object's number.
+    pub(crate) object: u16,
+    /// Around that center.
     radius: Length,
     /// The square of the radius: Q24, rounded up by what the high words leave out.
     reach: i32,
-    /// The object's number.
-    pub(crate) object: u16,
 }
 
 impl Around {
-    /// The bound itself.
+    /// The bound itself, a little larger.
     pub(crate) fn bound(&self) -> Bound {
         Bound {
-            center: self.center,
+            center: self.center.map(|c| Length::from_bits(i32::from(c) << 16)),
             radius: self.radius,
         }
     }
 
-    /// Whether a ray from a near origin may meet the shape ahead.
+    /// Whether a ray from a near origin may meet the shape ahead: the origin is
+    /// [`coarse`], the direction [`narrow`].
     #[inline(always)]
-    pub(crate) fn may_meet(&self, origin: Vec3<Length>, direction: Vec3<Unit>) -> bool {
-        let to_center = self.center - origin;
-        // Q58 -> Q28, whose square is Q56 -> Q24.
-        let middle = (to_center.along(direction).to_bits() >> 30) as i32;
-        let square = high(to_center.squared().to_bits());
-        let nearest = if middle < 0 {
-            square
-        } else {
-            square - high(middle.square())
-        };
-        nearest <= self.reach
+    pub(crate) fn may_meet(&self, origin: Vec3<i32>, direction: Vec3<i32>) -> bool {
+        // Below 8 in length.
+        let to_center = self.center.zip(origin, |c, o| i32::from(c) - o);
+        let square = dot(to_center, to_center);
+        let middle = dot(to_center, direction);
+        if middle <= 0 {
+            return square <= self.reach;
+        }
+        // Q28, whose square is Q56 -> Q24. What rounding the direction does to it is less
+        // than 2^-14 of the square of the whole.
+        square - (square >> 14) - high(middle.square()) <= self.reach
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+
+    use fastrand::Rng;
+    use std::println;
+
+    use super::*;
+    use crate::vector;
+
+    fn point(random: &mut Rng, reach: f64) -> Vec3<Length> {
+        let mut c = || Length::from_num((2.0 * random.f64() - 1.0) * reach);
+        Vec3::new(c(), c(), c())
+    }
+
+    fn exact(v: Vec3<Length>) -> [f64; 3] {
+        [v.x, v.y, v.z].map(|c| c.to_num())
+    }
+
+    /// How near the line from an origin comes to the center of a bound, and how far along
+    /// it.
+    fn passes(bound: &Bound, origin: Vec3<Length>, direction: Vec3<Unit>) -> [f64; 2] {
+        let (to, d) = (exact(bound.center - origin), direction);
+        let d = [d.x, d.y, d.z].map(|c| c.to_num::<f64>());
+        let along: f64 = to.iter().zip(d).map(|(c, d)| c * d).sum();
+        let off = to.iter().zip(d).map(|(c, d)| (c - along * d).powi(2));
+        [off.sum::<f64>().sqrt(), along]
+    }
+
+    /// Rays that touch a bound, just miss it, or do neither, from near and far.
+    #[test]
+    fn no_ray_that_meets_a_bound_is_passed_over() {
+        let random = &mut Rng::with_seed(1);
+        let (mut met, mut passed, mut in_vain) = (0, 0, 0);
+        for _ in 0..300_000 {
+            let radius = 10_f64.powf(-4.0 * random.f64());
+            let bound = Bound {
+                center: point(random, 1.0),
+                radius: Length::from_num(radius),
+            };
+            let reach = [1.0, 3.5][random.usize(..2)];
+            let mut origin = point(random, reach);
+            if random.bool() {
+                origin = bound.center + point(random, 3.0 * radius);
+            }
+            // Towards somewhere near, or just within where the bound ends.
+            let mut side = point(random, radius * 1.5);
+            if random.bool() {
+                let [x, y, z] = exact(bound.center - origin);
+                let [u, v, w] = exact(point(random, 1.0));
+                let across = [y * w - z * v, z * u - x * w, x * v - y * u];
+                let length = across.iter().map(|c| c * c).sum::<f64>().sqrt();
+                let rim = across.map(|c| Length::from_num(c / length * radius * 0.999));
+                side = Vec3::new(rim[0], rim[1], rim[2]);
+            }
+            let towards = (bound.center + side - origin).map(|c| i64::from(c.to_bits()));
+            let Some(direction) = vector::direction(towards) else {
+                continue;
+            };
+            let [off, along] = passes(&bound, origin, direction);
+            let from_inside = exact(bound.center - origin)
+                .map(|c| c * c)
+                .iter()
+                .sum::<f64>()
+                <= radius * radius;
+            let meets = off <= radius && (along > 0.0 || from_inside);
+            let around = bound.around(0);
+            let sight = bound.seen_from(origin, 0);
+            let around = around.may_meet(coarse(origin), narrow(direction));
+            let sight = sight.may_meet(narrow(-direction));
+            assert!(!meets || around, "{bound:?} {origin:?} {direction:?}");
+            assert!(!meets || sight, "{bound:?} {origin:?} {direction:?}");
+            met += i32::from(meets);
+            passed += i32::from(!around || !sight);
+            in_vain += i32::from(around && sight && !meets);
+        }
+        println!("{met} bounds met, {passed} passed by, {in_vain} looked at in vain");
+        assert!(met > 50_000 && passed > 20_000);
     }
 }

@@ -1,5 +1,5 @@
 use crate::Vec3;
-use crate::num::{Length, Product, Scaled, Unit, quotient, reciprocal, wide};
+use crate::num::{Length, Product, Scaled, Unit, leading_zeros, quotient, reciprocal, wide};
 use crate::ray::{HORIZON, Point, Ray};
 
 /// A plane, endless or bounded.
@@ -30,7 +30,7 @@ impl Bounds {
         high: Vec3::new(Length::MAX, Length::MAX, Length::MAX),
     };
 
-    #[inline]
+    #[inline(never)]
     pub(crate) fn contain(&self, point: Point) -> bool {
         let within = |c: Length, low: Length, high: Length| {
             let c = i64::from(c.to_bits()) << point.shift;
@@ -121,7 +121,7 @@ impl Plane {
         if u64::from(depth) << 30 >= wide(cosine, limit.to_bits() as u32) {
             return Some(Length::MAX);
         }
-        let shift = cosine.leading_zeros() & 31;
+        let shift = leading_zeros(cosine) & 31;
         // 1/cosine = reciprocal * 2^(shift - 33): Q28, below 2^31.
         let product = wide(depth, reciprocal(cosine << shift));
         let twice = ((product >> 32) as u32) << shift | (product as u32 >> 1) >> (31 - shift);

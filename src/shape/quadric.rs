@@ -147,7 +147,7 @@ impl Quadric {
 
     /// The unit normal at a point, outward or away from the axis; zero at the
     /// apex of a cone.
-    #[inline]
+    #[inline(never)]
     pub(crate) fn normal(&self, point: Point) -> Vec3<Unit> {
         let offset = -point.to(self.center);
         let gradient = match &self.form {

@@ -14,23 +14,20 @@ pub(crate) struct Sphere {
     radius_squared: I8F56,
 }
 
-/// How a line passes through a sphere.
-struct Approach {
-    /// From the ray's origin to the middle of the chord.
+/// What a sphere cuts out of a line.
+struct Chord {
+    /// From a point of the line to the sphere's center.
+    to_center: Vec3<Length>,
+    /// From there to the middle of the chord.
     middle: Length,
     /// The square of half the chord.
     discriminant: I8F56,
-    /// Whether the origin is outside.
-    outside: bool,
 }
 
-impl Approach {
-    /// Half of the chord.
+impl Chord {
+    /// Half of the chord, one step at least.
     #[inline]
     fn half(&self) -> Length {
-        if self.discriminant == I8F56::ZERO {
-            return Length::ZERO;
-        }
         // As `square_root` does, but inlined: it is taken for each sphere in sight.
         let root = inverse_length(self.discriminant.to_bits() as u64).length();
         Length::from_bits(root as i32)
@@ -54,30 +51,38 @@ impl Sphere {
         }
     }
 
-    /// The chord of a line that passes through the sphere ahead of a point or
-    /// around it.
+    /// The chord of a line, if it meets the sphere.
     ///
     /// The discriminant is `r² - |l|²`, `l` from the center to the chord's
     /// middle: the textbook's `b² - c` loses the bits of a small sphere far
     /// away, which `l` keeps (Haines and others, Ray Tracing Gems 2019, ch. 7).
     #[inline(always)]
-    fn approach(&self, origin: Vec3<Length>, direction: Vec3<Unit>) -> Option<Approach> {
+    fn chord(&self, origin: Vec3<Length>, direction: Vec3<Unit>) -> Option<Chord> {
         let to_center = self.center - origin;
         let middle = round_length(to_center.along(direction).to_bits(), 30);
         let offset = to_center - direction.times(middle);
         let discriminant = self.radius_squared - offset.squared();
-        if discriminant < I8F56::ZERO {
-            return None;
-        }
-        let outside = to_center.squared() > self.radius_squared;
-        if outside && middle <= Length::ZERO {
-            return None;
-        }
-        Some(Approach {
+        (discriminant >= I8F56::ZERO).then_some(Chord {
+            to_center,
             middle,
             discriminant,
-            outside,
         })
+    }
+
+    /// A chord that is ahead of the ray or around its start, and whether it starts
+    /// outside.
+    #[inline(always)]
+    fn approach(&self, origin: Vec3<Length>, direction: Vec3<Unit>) -> Option<(Chord, bool)> {
+        let chord = self.chord(origin, direction)?;
+        let is_outside = self.is_outside(&chord)?;
+        Some((chord, is_outside))
+    }
+
+    /// Whether the ray starts outside; `None` if the chord is behind it.
+    #[inline(always)]
+    fn is_outside(&self, chord: &Chord) -> Option<bool> {
+        let is_outside = chord.to_center.squared() > self.radius_squared;
+        (!is_outside || chord.middle > Length::ZERO).then_some(is_outside)
     }
 
     /// Whether the line from a point enters the sphere, and leaves it, before
@@ -89,29 +94,42 @@ impl Sphere {
         direction: Vec3<Unit>,
         distance: Length,
     ) -> [bool; 2] {
-        let Some(approach) = self.approach(origin, direction) else {
+        let Some((chord, is_outside)) = self.approach(origin, direction) else {
             return [false; 2];
         };
         // The entry is before the chord's middle, the exit after it.
-        let rest = distance.saturating_sub(approach.middle);
+        let rest = distance.saturating_sub(chord.middle);
         let is_beyond_middle = rest > Length::ZERO;
         let square = rest.square();
         [
-            approach.outside && (is_beyond_middle || square < approach.discriminant),
-            is_beyond_middle && square > approach.discriminant,
+            is_outside && (is_beyond_middle || square < chord.discriminant),
+            is_beyond_middle && square > chord.discriminant,
         ]
     }
 
     /// The distance to the nearest hit ahead.
     #[inline]
     pub(crate) fn distance(&self, origin: Vec3<Length>, direction: Vec3<Unit>) -> Option<Length> {
-        let approach = self.approach(origin, direction)?;
-        let half = approach.half();
-        let distance = if approach.outside {
-            approach.middle - half
-        } else {
-            approach.middle + half
-        };
+        /// What a half can be off by, the root of 2 r times a step and a half, and more: a
+        /// ray that has farther to go to the entry starts outside.
+        const OFF: Length = Length::from_bits(1 << 16);
+        let chord = self.chord(origin, direction)?;
+        if chord.middle > Length::ZERO {
+            let entry = chord.middle - chord.half();
+            if entry > OFF {
+                return Some(entry);
+            }
+        }
+        self.distance_from_close(&chord)
+    }
+
+    /// The same from a point that may be inside.
+    #[cold]
+    #[inline(never)]
+    fn distance_from_close(&self, chord: &Chord) -> Option<Length> {
+        let is_outside = self.is_outside(chord)?;
+        let half = chord.half();
+        let distance = chord.middle + if is_outside { -half } else { half };
         (distance > Length::ZERO).then_some(distance)
     }
 
@@ -130,12 +148,12 @@ impl Sphere {
         origin: Vec3<Length>,
         direction: Vec3<Unit>,
     ) -> [Option<Length>; 2] {
-        let Some(approach) = self.approach(origin, direction) else {
+        let Some((chord, is_outside)) = self.approach(origin, direction) else {
             return [None, None];
         };
-        let half = approach.half();
-        let entry = approach.outside.then(|| approach.middle - half);
-        [entry, Some(approach.middle + half)]
+        let half = chord.half();
+        let entry = is_outside.then(|| chord.middle - half);
+        [entry, Some(chord.middle + half)]
     }
 
     /// The outward unit normal at a point of the sphere.

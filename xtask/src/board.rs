@@ -4,6 +4,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::Mutex;
+use std::thread;
 
 use anyhow::{Context, Result, bail};
 
@@ -32,7 +34,7 @@ pub const STM32F405: Board = Board {
     name: "stm32f405",
     target: V7EM,
     features: "",
-    flash: 87_000,
+    flash: 84_000,
 };
 
 /// The same for QEMU.
@@ -46,7 +48,7 @@ pub const PICO: Board = Board {
     name: "pico",
     target: V6M,
     features: "",
-    flash: 110_000,
+    flash: 116_000,
 };
 
 /// Those that no emulator runs.
@@ -55,19 +57,19 @@ pub const BUILT_ONLY: [Board; 3] = [
         name: "rp2350",
         target: V8M,
         features: "",
-        flash: 80_000,
+        flash: 76_000,
     },
     Board {
         name: "nrf52840",
         target: V7EM,
         features: "",
-        flash: 86_000,
+        flash: 81_000,
     },
     Board {
         name: "esp32c3",
         target: RISCV,
         features: "",
-        flash: 155_000,
+        flash: 135_000,
     },
 ];
 
@@ -81,7 +83,6 @@ pub fn build_all() -> Result<()> {
     println!("{:12} {:>7} {:>7}", "board", "flash", "budget");
     let mut too_large = Vec::new();
     for board in all() {
-        tools::target(board.target)?;
         let flash = usage(&board.build(None)?)?.flash;
         println!("{:12} {flash:7} {:7}", board.name, board.flash);
         if flash > board.flash {
@@ -91,6 +92,14 @@ pub fn build_all() -> Result<()> {
     if !too_large.is_empty() {
         bail!("more flash than the budget: {}", too_large.join(", "));
     }
+    Ok(())
+}
+
+/// Begins to build them. Other tasks, which leave cores idle now and then, have
+/// nothing to do with what is built here. Whoever builds one after this waits for it.
+pub(crate) fn build_ahead() -> Result<()> {
+    // If one fails, it fails again where somebody asks for it.
+    thread::spawn(|| all().try_for_each(|board| board.build(None).map(drop)));
     Ok(())
 }
 
@@ -117,6 +126,11 @@ impl Board {
     /// Builds it, with this scene in flash in place of the default scene, and
     /// returns the program, as a file that a later build does not change.
     pub fn build(self, scene: Option<&Path>) -> Result<PathBuf> {
+        // Builds with other scenes or features give a file of the same name.
+        static ONE_AT_A_TIME: Mutex<()> = Mutex::new(());
+        let _guard = ONE_AT_A_TIME.lock();
+
+        tools::target(self.target)?;
         tools::install_flip_link()?;
         let mut build = self.cargo("build");
         build.args(["--quiet", "--release", "--locked"]);

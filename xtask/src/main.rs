@@ -12,9 +12,7 @@ const HELP: &str = "\
 cargo xtask TASK
 
   test [STEP...]        All checks and tests, or the steps whose names contain one
-                        of these words. Installs the tools that are missing. The
-                        steps `boards` and `pico`, firmware for displays in
-                        emulators, build long and run by name only.
+                        of these words. Installs the tools that are missing.
   prove [PROMISE...]    What firmware relies on, proven as far as can be; or the promises
                         whose names contain one of these words. Writes docs/trust.md.
   qemu [SCENE] [--shot FILE.png] [--window]
@@ -37,7 +35,8 @@ cargo xtask TASK
                         Where the instructions of a frame go, by function and line.
   pico [SCENE] [--shot FILE.png]
                         Draws a scene with the firmware of the Raspberry Pi Pico, in
-                        rp2040js, and says its cycles; without one, compares pictures with
+                        rp2040js, and says its cycles; without one, does all that can be
+                        done with it, scenes over USB included, compares pictures with
                         the host's, and cycles with the budget.
   pico --bless          Makes what pictures take now the budget.
   uf2 [SCENE...]        Builds that firmware, to be dropped on a Pico in boot mode.

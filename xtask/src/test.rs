@@ -8,8 +8,9 @@ use crate::prove::panics;
 use crate::steps::{self, Step};
 use crate::{bench, board, pico, tidy, tools};
 
-const STEPS: [Step; 11] = [
+const STEPS: [Step; 14] = [
     ("tools", tools::install),
+    ("ahead", board::build_ahead),
     ("format", format),
     ("tidy", tidy::run),
     ("clippy-host", clippy_host),
@@ -20,20 +21,13 @@ const STEPS: [Step; 11] = [
     ("nopanic", panics::link_all),
     ("test-qemu", test_qemu),
     ("budget", bench::check),
+    ("boards", test_boards),
+    ("pico", pico::check),
 ];
 
-/// Run only if they are named: what boards are made of takes longer to build than
-/// all else.
-const BOARD_STEPS: [Step; 2] = [("boards", test_boards), ("pico", pico::check)];
-
-/// Runs the steps whose names contain one of the words, or all but those of
-/// boards.
+/// Runs the steps whose names contain one of the words, or all.
 pub fn run(words: &[String]) -> Result<()> {
-    if words.is_empty() {
-        return steps::run(&STEPS, words);
-    }
-    let all: Vec<Step> = STEPS.into_iter().chain(BOARD_STEPS).collect();
-    steps::run(&all, words)
+    steps::run(&STEPS, words)
 }
 
 fn format() -> Result<()> {
@@ -45,7 +39,7 @@ fn format() -> Result<()> {
 }
 
 /// All that runs on the host is built with windows, once for all steps.
-const WINDOW: [&str; 2] = ["--features", "whitted-sim/window"];
+pub(crate) const WINDOW: [&str; 2] = ["--features", "whitted-sim/window"];
 
 /// What runs on the host, tests and examples included, and the simulator as it
 /// is without windows.
@@ -108,8 +102,9 @@ fn test_window() -> Result<()> {
     )
 }
 
-/// What boards with displays show, in emulators.
+/// What boards with displays show, in emulators; and that all fit into their flash.
 fn test_boards() -> Result<()> {
+    board::build_all()?;
     command::run(cargo().args(["test", "--quiet", "--package", "xtask", "--test", "boards"]))
 }
 

@@ -1,16 +1,20 @@
 // Runs firmware of the Raspberry Pi Pico in rp2040js, and writes down what it
 // sends to the display.
 //
-//   node run.js FIRMWARE.elf STREAM [BUTTON...]
+//   node run.js FIRMWARE.elf STREAM [EVENT...]
 //
-// The firmware draws a picture, and another after each button, which is named by the
-// number of its pin. STREAM gets two bytes for each byte that is sent: the level of D/C and
-// the byte; after each picture the two bytes 2 and 0. Standard output gets the
-// cycles of each picture, from when the LED lights up until it goes out. Misses of
-// the flash's cache and the time that the SPI takes are not among them.
+// The firmware draws a picture, and another after each event: `press:PIN` presses a
+// button once the picture is complete, `amid:PIN` while it is drawn; `usb` waits for what
+// comes over USB, whose host sits at standard input, a terminal in raw mode.
+//
+// STREAM gets two bytes for each byte that is sent: the level of D/C and the byte; after
+// each picture, complete or broken off, the two bytes 2 and 0. Standard output gets for
+// each picture the cycles from when the LED lights up until it goes out, and the bytes
+// that are sent meanwhile. Misses of the flash's cache and the time that the SPI takes
+// are not among the cycles.
 
-import { readFileSync, writeFileSync } from 'node:fs';
-import { ConsoleLogger, GPIOPinState, LogLevel, RP2040 } from 'rp2040js';
+import { readFileSync, readSync, writeFileSync, writeSync } from 'node:fs';
+import { ConsoleLogger, GPIOPinState, LogLevel, RP2040, USBCDC } from 'rp2040js';
 
 // The pins of src/pins.rs.
 const DATA_OR_COMMAND = 8;
@@ -25,12 +29,19 @@ const STACK = 0x2004_1f00;
 const NANOSECONDS_PER_CYCLE = 8;
 // Time goes on by so many instructions at once.
 const STRIDE = 32;
+// In the middle of a picture, and after it: so many cycles later. The firmware looks
+// at its buttons each 10 ms.
+const AMID = 20e6;
+const AFTER = 3e6;
+// Where somebody uses the USB's host, who is asked for bytes each so many strides.
+const HOST = 0;
+const QUIET = 4000;
 // Firmware that takes longer for a picture hangs.
 const PATIENCE = 20e9;
 
-const [firmware, streamFile, ...buttons] = process.argv.slice(2);
+const [firmware, streamFile, ...events] = process.argv.slice(2);
 if (!streamFile) {
-  throw new Error('node run.js FIRMWARE.elf STREAM [BUTTON...]');
+  throw new Error('node run.js FIRMWARE.elf STREAM [EVENT...]');
 }
 
 const mcu = new RP2040();
@@ -39,6 +50,14 @@ load(readFileSync(firmware));
 mcu.core.PC = FLASH;
 mcu.core.SP = STACK;
 mcu.core.LR = 0;
+
+// The emulator forgets to clear the bit of an exception's vector that says Thumb;
+// then no jump table works.
+const { exceptionEntry } = mcu.core;
+mcu.core.exceptionEntry = function (number) {
+  exceptionEntry.call(this, number);
+  this.PC &= ~1;
+};
 
 const stream = [];
 for (const [number, spi] of mcu.spi.entries()) {
@@ -56,28 +75,100 @@ mcu.peripherals[0x40058].onWatchdogTrigger = () => {
 // Nothing is pressed.
 BUTTONS.forEach((pin) => mcu.gpio[pin].setInputValue(true));
 
-picture();
-for (const button of buttons) {
-  const pin = mcu.gpio[Number(button)];
-  pin.setInputValue(false);
-  picture(() => pin.setInputValue(true));
+// What each event does while a picture is drawn, until the next begins.
+const HAPPEN = {
+  press(pin) {
+    end();
+    wait(AFTER);
+    pin.setInputValue(false);
+  },
+  amid(pin) {
+    wait(AMID);
+    pin.setInputValue(false);
+    end();
+  },
+  usb: () => end(),
+};
+
+const exchange = connect(events.includes('usb'));
+let start;
+begin();
+for (const event of events) {
+  const [what, number] = event.split(':');
+  const pin = mcu.gpio[number];
+  HAPPEN[what](pin);
+  begin();
+  pin?.setInputValue(true);
 }
+end();
 writeFileSync(streamFile, Buffer.from(stream));
 
-// Runs until a picture is complete.
-function picture(started = () => {}) {
+// Runs until a picture begins.
+function begin() {
   runUntil(() => isHigh(LED));
-  const start = mcu.core.cycles;
-  started();
+  start = { cycles: mcu.core.cycles, bytes: stream.length / 2 };
+}
+
+// Runs until it is complete, or broken off.
+function end() {
   runUntil(() => !isHigh(LED));
+  const bytes = stream.length / 2 - start.bytes;
+  console.log(`cycles: ${mcu.core.cycles - start.cycles}, bytes: ${bytes}`);
   stream.push(2, 0);
-  console.log(`cycles: ${mcu.core.cycles - start}`);
+}
+
+function wait(cycles) {
+  const until = mcu.core.cycles + cycles;
+  runUntil(() => mcu.core.cycles > until);
+}
+
+// Connects the USB to a host. Returns a function that takes what the host
+// sends, if there is somebody.
+function connect(isSomebodyThere) {
+  const usb = mcu.usbCtrl;
+  const host = new USBCDC(usb);
+  const answer = usb.onEndpointRead;
+  // Where the firmware wants data: it gets them as soon as there are some.
+  let wanted;
+  usb.onEndpointRead = (endpoint, size) => {
+    wanted = endpoint === 0 ? wanted : { endpoint, size };
+  };
+  if (!isSomebodyThere) {
+    return () => {};
+  }
+  host.onSerialData = (bytes) => writeSync(HOST, bytes);
+  return () => {
+    if (host.txFIFO.empty) {
+      received().forEach((byte) => host.sendSerialByte(byte));
+    }
+    if (wanted?.endpoint === host.outEndpoint && !host.txFIFO.empty) {
+      const { endpoint, size } = wanted;
+      wanted = undefined;
+      answer(endpoint, size);
+    }
+  };
+}
+
+// What somebody sent to the host, if anything.
+function received() {
+  const bytes = Buffer.alloc(512);
+  try {
+    return bytes.subarray(0, readSync(HOST, bytes));
+  } catch (error) {
+    if (error.code === 'EAGAIN') {
+      return [];
+    }
+    throw error;
+  }
 }
 
 function runUntil(isDone) {
   const { core, clock } = mcu;
   const deadline = core.cycles + PATIENCE;
-  while (!isDone()) {
+  for (let stride = 0; !isDone(); stride++) {
+    if (stride % QUIET === 0) {
+      exchange();
+    }
     const before = core.cycles;
     for (let i = 0; i < STRIDE; i++) {
       core.executeInstruction();

@@ -11,10 +11,13 @@ use rp2040_hal::gpio::{
     DynPinId, FunctionSioInput, FunctionSioOutput, Pin, PinState, PullDown, PullUp,
 };
 use rp2040_hal::spi::Enabled;
+use rp2040_hal::usb::UsbBus;
 use rp2040_hal::{Clock, Sio, Spi, Timer, Watchdog, pac};
 
 use crate::buttons::{Button, Buttons};
 use crate::pins::{self, LcdClock, LcdData, LcdSpi, Pins};
+use crate::scenes::Scenes;
+use crate::usb::{self, Inbox};
 
 /// The second stage of booting, which makes the Pico's flash readable as memory.
 #[unsafe(link_section = ".boot2")]
@@ -35,21 +38,34 @@ type Wires = SpiInterface<'static, ExclusiveDevice<Bus, Output, NoDelay>, Output
 /// The display. As its wires go one way only, no error comes back.
 pub(crate) type Display = mipidsi::Display<Wires, ST7789, Output>;
 
+/// What somebody asks for.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Event {
+    Press(Button),
+    /// The scene with this number, which came just now.
+    Sent(usize),
+}
+
 /// What the firmware uses of the board.
 pub(crate) struct Board {
     pub(crate) display: Display,
+    pub(crate) scenes: &'static mut Scenes,
     /// Restarts the board when it is not fed for two seconds.
-    pub(crate) watchdog: Watchdog,
+    watchdog: Watchdog,
     /// Lit while a picture is drawn.
     pub(crate) led: Output,
-    pub(crate) buttons: Buttons<Input>,
+    buttons: Buttons<Input>,
     timer: Timer,
 }
 
 impl Board {
     /// Sets the board up, once. What cannot be set up is a mistake in this
     /// crate: a panic tells of it.
-    pub(crate) fn take(line: &'static mut LineBuffer) -> Self {
+    pub(crate) fn take(
+        line: &'static mut LineBuffer,
+        scenes: &'static mut Scenes,
+        inbox: &'static mut Inbox,
+    ) -> Self {
         let mut pac = pac::Peripherals::take().expect("the board is taken once");
         let mut watchdog = Watchdog::new(pac.WATCHDOG);
         let clocks = init_clocks_and_plls(
@@ -72,6 +88,10 @@ impl Board {
         );
         watchdog.pause_on_debug(true);
         watchdog.start(2.secs());
+
+        let (registers, memory) = (pac.USBCTRL_REGS, pac.USBCTRL_DPRAM);
+        let bus = UsbBus::new(registers, memory, clocks.usb_clock, true, &mut pac.RESETS);
+        usb::start(bus, inbox, timer);
 
         let wires = (pins.lcd_data.reconfigure(), pins.lcd_clock.reconfigure());
         let spi = Spi::<_, LcdSpi, _>::new(pins::lcd_spi!(pac), wires);
@@ -99,6 +119,7 @@ impl Board {
 
         Self {
             display,
+            scenes,
             watchdog,
             led: pins.led.into_push_pull_output().into_dyn_pin(),
             buttons: Buttons::new([
@@ -115,14 +136,20 @@ impl Board {
         }
     }
 
-    /// Waits for a button to be pressed. It bounces for less than the time
-    /// between two looks at it.
-    pub(crate) fn button(&mut self) -> Button {
+    /// What was asked for since the last look, if anything; feeds the watchdog.
+    pub(crate) fn event(&mut self) -> Option<Event> {
+        self.watchdog.feed();
+        let sent = || self.scenes.received().map(Event::Sent);
+        self.buttons.pressed().map(Event::Press).or_else(sent)
+    }
+
+    /// Waits for something to be asked for. Buttons bounce for less than the
+    /// time between two looks at them.
+    pub(crate) fn wait(&mut self) -> Event {
         loop {
-            self.watchdog.feed();
             self.timer.delay_ms(10);
-            if let Some(button) = self.buttons.pressed() {
-                return button;
+            if let Some(event) = self.event() {
+                return event;
             }
         }
     }

@@ -1,35 +1,59 @@
-//! The scenes in flash, compiled by `build.rs`.
+//! The scenes: those in flash, compiled by `build.rs`, and one that came over USB.
 
-use whitted::{Camera, Real, SceneBuffer, Vec3};
+use heapless::Vec;
+use whitted::{DecodeError, SceneBuffer};
 
-/// A scene in flash.
-pub(crate) struct FlashScene {
-    pub(crate) compiled: &'static [u8],
-    /// As it was written down, to be moved from.
-    pub(crate) camera: Camera,
+use crate::usb;
+
+include!(concat!(env!("OUT_DIR"), "/scenes.rs"));
+
+/// How many objects, lights and materials a scene over USB may have.
+const SENT: [usize; 3] = [64, 8, 64];
+
+/// Room for any scene.
+pub(crate) type Buffer = SceneBuffer<{ most(0) }, { most(1) }, { most(2) }>;
+
+const fn most(item: usize) -> usize {
+    match COUNTS[item] > SENT[item] {
+        true => COUNTS[item],
+        false => SENT[item],
+    }
 }
 
-/// All of them.
-pub(crate) static SCENES: &[FlashScene] = include!(concat!(env!("OUT_DIR"), "/scenes.rs"));
+/// The scenes in flash, and after them the one that came last over USB.
+pub(crate) struct Scenes {
+    sent: Vec<u8, { usb::ROOM }>,
+    /// Where is seen whether a scene can be drawn, while another is.
+    trial: Buffer,
+}
 
-/// Room for any one of them.
-pub(crate) type Buffer = SceneBuffer<{ COUNTS[0] }, { COUNTS[1] }, { COUNTS[2] }>;
-
-/// The most objects, lights and materials that one of them has.
-const COUNTS: [usize; 3] = {
-    let mut most = [0; 3];
-    let mut scene = 0;
-    // Constants are computed without iterators.
-    while scene < SCENES.len() {
-        let counts = whitted::counts(SCENES[scene].compiled);
-        let mut kind = 0;
-        while kind < counts.len() {
-            if counts[kind] > most[kind] {
-                most[kind] = counts[kind];
-            }
-            kind += 1;
+impl Scenes {
+    /// Those in flash.
+    pub(crate) const fn new() -> Self {
+        Self {
+            sent: Vec::new(),
+            trial: Buffer::new(),
         }
-        scene += 1;
     }
-    most
-};
+
+    /// A scene, compiled.
+    pub(crate) fn get(&self, number: usize) -> &[u8] {
+        SCENES.get(number).copied().unwrap_or(&self.sent)
+    }
+
+    pub(crate) fn count(&self) -> usize {
+        SCENES.len() + usize::from(!self.sent.is_empty())
+    }
+
+    /// The number of a scene that came over USB, if one did. What cannot be
+    /// drawn changes nothing.
+    pub(crate) fn received(&mut self) -> Option<usize> {
+        let is_there = usb::receive(|scene| {
+            self.trial.decode(scene)?;
+            self.sent.clear();
+            let room = self.sent.extend_from_slice(scene);
+            room.map_err(|_| DecodeError::Length)
+        });
+        is_there.then_some(SCENES.len())
+    }
+}

@@ -1,4 +1,4 @@
-//! Compares the products of `long-multiply` with the plain ones, over all pairs
+//! Compares the operations of `long-multiply` with the plain ones, over all pairs
 //! of edges and two million others.
 
 #![no_std]
@@ -57,7 +57,8 @@ fn holds(a: u32, b: u32) -> Result<(), (u32, u32)> {
     let right = long_multiply::signed(i, j) == p * i64::from(j)
         && long_multiply::unsigned(a, b) == q * u64::from(b)
         && long_multiply::mixed(i, b) == p * i64::from(b)
-        && long_multiply::square(i) == p * i64::from(i);
+        && long_multiply::square(i) == p * i64::from(i)
+        && long_multiply::leading_zeros(a) == black_box(a).leading_zeros();
     right.then_some(()).ok_or((a, b))
 }
 

@@ -81,9 +81,9 @@ pub(super) fn axis(child: u32) -> Vec3<Unit> {
 
 /// The sum of three products, in steps of four.
 #[inline(always)]
-fn sum(products: [(i32, Unit); 3]) -> i32 {
-    let [x, y, z] = products.map(|(c, factor)| c.product(factor.to_bits()));
-    high(x + y + z) << 2
+fn sum([x, y, z]: [(i32, Unit); 3]) -> i32 {
+    let product = |(c, factor): (i32, Unit)| c.product(factor.to_bits());
+    high(product(x) + product(y) + product(z)) << 2
 }
 
 /// A vector of the parent's frame, in steps of any size, in the child's.

@@ -19,9 +19,8 @@ pub(super) fn build(scenes: &[&Path]) -> Result<PathBuf> {
     PICO.build(Some(Path::new(&list)))
 }
 
-/// Formatting, and what Clippy says.
+/// What Clippy says.
 pub(super) fn lint() -> Result<()> {
-    run(PICO.cargo("fmt").arg("--check"))?;
     let mut clippy = PICO.cargo("clippy");
     clippy.args(["--release", "--quiet", "--locked", "--", "-D", "warnings"]);
     run(&mut clippy)

@@ -44,6 +44,11 @@ pub(crate) enum Command {
         #[arg(short, long, value_name = "FILE")]
         output: PathBuf,
     },
+    /// Send a scene to a board by USB; it is shown until the board is reset.
+    ///
+    /// The board checks it first: a transfer that breaks off, or a scene that cannot be
+    /// drawn, changes nothing.
+    Send(Send),
     /// Print the tree of rays that a pixel's color comes from.
     ///
     /// A line is a ray: E from the eye, R reflected, T transmitted; what it met,
@@ -109,6 +114,15 @@ pub(crate) struct Animate {
     pub(crate) quality: Quality,
     #[command(flatten)]
     pub(crate) shown: Shown,
+}
+
+#[derive(clap::Args)]
+pub(crate) struct Send {
+    /// A scene file, a compiled scene, or the name of a scene in scenes/.
+    pub(crate) scene: PathBuf,
+    /// The board's serial port: /dev/ttyACM0, /dev/cu.usbmodem1101, COM3.
+    #[arg(long)]
+    pub(crate) port: Option<PathBuf>,
 }
 
 #[derive(clap::Args)]

@@ -1,5 +1,5 @@
 //! The host simulator: renders and animates scene files, compares pictures, explains pixels,
-//! checks and compiles scenes.
+//! checks and compiles scenes, sends them to boards.
 //!
 //! args ── open (scene) ── draw or linear ──> display ──> PNG, terminal, window
 
@@ -21,7 +21,12 @@ mod progress;
 mod render;
 mod report;
 mod scene;
+mod send;
 mod terminal;
+#[cfg(feature = "window")]
+mod view;
+#[cfg(not(feature = "window"))]
+#[path = "without_window.rs"]
 mod view;
 
 use std::process::ExitCode;
@@ -55,6 +60,7 @@ fn run(args: Args) -> Outcome {
             display::list();
             Ok(())
         }
+        Some(Command::Send(options)) => send::send(&options),
         Some(Command::View(options)) => view::view(&options),
     }
 }

@@ -69,6 +69,16 @@ impl Scene {
         Ok(scene)
     }
 
+    /// The scene in its compact form.
+    pub(crate) fn compile(&self) -> Outcome<Vec<u8>> {
+        let mut buffer = Box::new(Buffer::new());
+        let prepared = self.prepare(&mut buffer)?;
+        let mut bytes = vec![0; prepared.encoded_len()];
+        let length = prepared.encode(&mut bytes).unwrap_or_default();
+        bytes.truncate(length);
+        Ok(bytes)
+    }
+
     /// What the scene calls itself.
     pub(crate) fn title(&self) -> Option<&str> {
         match self {

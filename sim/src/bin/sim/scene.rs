@@ -32,12 +32,8 @@ fn count((count, name): (usize, &str)) -> String {
 
 /// Writes a scene's compiled form.
 pub(crate) fn compile(path: &Path, output: &Path) -> Outcome {
-    let scene = Scene::open(path)?;
-    let mut buffer = Box::new(Buffer::new());
-    let prepared = scene.prepare(&mut buffer)?;
-    let mut bytes = vec![0; prepared.encoded_len()];
-    let length = prepared.encode(&mut bytes).unwrap_or_default();
-    bytes.truncate(length);
+    let bytes = Scene::open(path)?.compile()?;
+    let length = bytes.len();
     let name = output.display();
     fs::write(output, &bytes).map_err(|error| format!("{name}: cannot be written: {error}"))?;
     println!("wrote {name}: {length} bytes");

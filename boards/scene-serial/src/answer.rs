@@ -1,0 +1,55 @@
+use core::fmt;
+
+/// What a board answers, as a line of text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Answer<W> {
+    /// The scene with this ticket is shown.
+    Shown {
+        /// Of the scene.
+        ticket: u16,
+    },
+    /// The scene with this ticket arrived as it was sent, but cannot be drawn.
+    Refused {
+        /// Of the scene.
+        ticket: u16,
+        /// In words.
+        why: W,
+    },
+    /// What arrived was no message.
+    Broken {
+        /// In words.
+        why: W,
+    },
+}
+
+impl<W: fmt::Display> fmt::Display for Answer<W> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Shown { ticket } => write!(f, "shown {ticket:04x}"),
+            Self::Refused { ticket, why } => write!(f, "refused {ticket:04x}: {why}"),
+            Self::Broken { why } => write!(f, "broken: {why}"),
+        }
+    }
+}
+
+impl<'l> Answer<&'l str> {
+    /// Reads a line, without its end; nothing if it is no answer.
+    pub fn parse(line: &'l str) -> Option<Self> {
+        let ticket = |digits| u16::from_str_radix(digits, 16).ok();
+        let (head, why) = match line.split_once(": ") {
+            Some((head, why)) => (head, Some(why)),
+            None => (line, None),
+        };
+        match (head.split_once(' '), why) {
+            (Some(("shown", digits)), None) => Some(Self::Shown {
+                ticket: ticket(digits)?,
+            }),
+            (Some(("refused", digits)), Some(why)) => Some(Self::Refused {
+                ticket: ticket(digits)?,
+                why,
+            }),
+            (None, Some(why)) if head == "broken" => Some(Self::Broken { why }),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,62 @@
+//! A pseudo-terminal, which stands for the USB between the emulator and programs
+//! on the host.
+
+use std::path::{Path, PathBuf};
+use std::process::Stdio;
+use std::time::{Duration, Instant};
+
+use anyhow::{Context, Result, bail};
+use serial2::SerialPort;
+
+/// The emulator is a few times slower than a board.
+const PATIENCE: Duration = Duration::from_secs(60);
+
+/// Both ends.
+pub(super) struct Port {
+    device: SerialPort,
+    /// Kept open, as the terminal is a terminal only while somebody has it.
+    host: SerialPort,
+    path: PathBuf,
+}
+
+impl Port {
+    pub(super) fn new() -> Result<Self> {
+        let (device, mut host) = SerialPort::pair().context("no pseudo-terminal")?;
+        host.set_read_timeout(Duration::from_millis(100))?;
+        let name = rustix::pty::ptsname(&device, Vec::new())?;
+        Ok(Self {
+            device,
+            host,
+            path: name.to_str()?.into(),
+        })
+    }
+
+    /// What programs on the host open.
+    pub(super) fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// The emulator's end.
+    pub(super) fn device(&self) -> Result<Stdio> {
+        Ok(std::os::fd::OwnedFd::from(self.device.try_clone()?).into())
+    }
+
+    /// Sends bytes, and returns the line that the board answers.
+    pub(super) fn ask(&self, bytes: &[u8]) -> Result<String> {
+        self.host.write_all(bytes)?;
+        let deadline = Instant::now() + PATIENCE;
+        let mut line = Vec::new();
+        while !line.ends_with(b"\n") {
+            let mut byte = [0];
+            match self.host.read(&mut byte) {
+                Ok(_) => line.extend(byte),
+                Err(error) if error.kind() == std::io::ErrorKind::TimedOut => {}
+                Err(error) => return Err(error.into()),
+            }
+            if Instant::now() > deadline {
+                bail!("the board does not answer: {}", line.escape_ascii());
+            }
+        }
+        Ok(String::from_utf8(line)?.trim_end().to_owned())
+    }
+}
