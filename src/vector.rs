@@ -211,3 +211,16 @@ pub(crate) fn round_unit(bits: i64, shift: u32) -> Unit {
 pub(crate) fn round_length(bits: i64, shift: u32) -> Length {
     Length::from_bits(((bits + (1 << (shift - 1))) >> shift) as i32)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn all_asks_for_each_component() {
+        let is_set = |bits: i32| Vec3::new(bits & 1, bits & 2, bits & 4).all(|c| c != 0);
+        for bits in 0..8 {
+            assert_eq!(is_set(bits), bits == 7, "{bits:03b}");
+        }
+    }
+}

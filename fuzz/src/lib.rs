@@ -11,9 +11,11 @@ mod extremes;
 mod oracle;
 mod picture;
 mod scene_text;
+mod serial;
 
 pub use compiled::compiled;
 pub use display_stream::display_stream;
 pub use extremes::extremes;
 pub use oracle::oracle;
 pub use scene_text::scene_text;
+pub use serial::serial;

@@ -56,6 +56,11 @@ fn display_streams_of_the_corpus() {
 }
 
 #[test]
+fn serial_lines_of_the_corpus() {
+    replay("serial", fuzz::serial);
+}
+
+#[test]
 fn extremes_of_the_corpus() {
     replay("extremes", fuzz::extremes);
 }

@@ -76,7 +76,7 @@ const PROMISES: [Promise; 9] = [
     Promise {
         name: "fuzz",
         says: "Any input is refused or drawn.",
-        how: "cargo-fuzz, with `overflow-checks`: scene text, compiled bytes, extreme scenes, what is sent to displays, random scenes against \
+        how: "cargo-fuzz, with `overflow-checks`: scene text, compiled bytes, extreme scenes, what is sent to displays, serial lines, random scenes against \
               the oracle. What it has found is in `fuzz/corpus`, which `cargo test` replays.",
         prove: fuzz::prove,
     },
