@@ -5,6 +5,7 @@
 //! aliased: a direction is known to 2^-30, and where a pixel's row of cells is
 //! narrower than that leaves them, single pixels fall to the other cell.
 //!
+//! `SCENES=100` takes fewer of them, of which the same must hold.
 //! `SEED=17 cargo test --test random_scenes -- --nocapture` prints a scene file
 //! and how like the two pictures of it are, and writes them as seed-17.png and
 //! seed-17-oracle.png.
@@ -23,7 +24,8 @@ use whitted_sim::compare::{Comparison, compare};
 use whitted_sim::picture::Picture;
 use whitted_sim::{png16, render, scene_file};
 
-const SEEDS: u64 = 1000;
+/// Unless told otherwise.
+const SCENES: u64 = 1000;
 const SIZE: Size = Size::new(320, 240);
 
 /// Pixels that show an object.
@@ -86,13 +88,19 @@ fn expected(toml: &str) -> Picture {
     }
 }
 
+/// A number of whoever runs the test.
+fn told(variable: &str) -> Option<u64> {
+    std::env::var(variable).ok()?.parse().ok()
+}
+
 /// All seeds, by as many threads as there are cores.
 fn outcomes() -> Vec<Outcome> {
     let next = AtomicU64::new(0);
+    let scenes = told("SCENES").unwrap_or(SCENES);
     let work = || {
         let seeds = std::iter::repeat_with(|| next.fetch_add(1, Ordering::Relaxed));
         seeds
-            .take_while(|seed| *seed < SEEDS)
+            .take_while(|seed| *seed < scenes)
             .map(Outcome::of)
             .collect::<Vec<_>>()
     };
@@ -125,10 +133,7 @@ fn print(sorted: &[Outcome]) {
 
 #[test]
 fn random_scenes_agree_with_the_oracle() {
-    if let Some(seed) = std::env::var("SEED")
-        .ok()
-        .and_then(|seed| seed.parse().ok())
-    {
+    if let Some(seed) = told("SEED") {
         let toml = generator::scene(seed).toml;
         println!("{toml}");
         png16::write(format!("seed-{seed}.png"), &rendered(seed, &toml).0).unwrap();
@@ -147,7 +152,8 @@ fn random_scenes_agree_with_the_oracle() {
         .map(|outcome| outcome.covered)
         .fold(1.0, f64::min);
     println!(
-        "median {median:.1} dB, worst {worst:.1} dB; {bouncing} scenes reflect or refract; objects on {:.0} % of the pixels at least",
+        "figure: {} scenes, median {median:.1} dB, worst {worst:.1} dB; {bouncing} reflect or refract; objects on {:.0} % of the pixels at least",
+        outcomes.len(),
         100.0 * covered
     );
     assert!(
