@@ -91,11 +91,12 @@ impl Plane {
     /// How long a vector of any steps, below 2^31, is along the normal.
     #[inline(always)]
     fn along(&self, v: Vec3<i32>) -> i32 {
-        // Of most planes, floors, no product is needed to know.
-        if self.normal.y == Unit::ONE {
+        let n = self.normal.map(Unit::to_bits);
+        // Of most planes, floors, no product is needed to know. Of one that is
+        // nearly level y is 1 as well, once rounded.
+        if n.x | n.z == 0 && n.y > 0 {
             return v.y;
         }
-        let n = self.normal.map(Unit::to_bits);
         let sum = v.x.product(n.x) + v.y.product(n.y) + v.z.product(n.z);
         ((sum + (1 << 29)) >> 30) as i32
     }
