@@ -175,7 +175,8 @@ mod tests {
     fn no_ray_that_meets_a_bound_is_passed_over() {
         let random = &mut Rng::with_seed(1);
         let (mut met, mut passed, mut in_vain) = (0, 0, 0);
-        for _ in 0..300_000 {
+        let rays = if cfg!(miri) { 300 } else { 300_000 };
+        for _ in 0..rays {
             let radius = 10_f64.powf(-4.0 * random.f64());
             let bound = Bound {
                 center: point(random, 1.0),
@@ -218,6 +219,6 @@ mod tests {
             in_vain += i32::from(around && sight && !meets);
         }
         println!("{met} bounds met, {passed} passed by, {in_vain} looked at in vain");
-        assert!(met > 50_000 && passed > 20_000);
+        assert!(3 * met > rays && 10 * passed > rays);
     }
 }
