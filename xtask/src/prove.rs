@@ -77,7 +77,7 @@ const PROMISES: [Promise; 10] = [
         name: "soak",
         says: "Nothing wears.",
         how: "10,000 frames of an animation on the M0+ and the M3 in QEMU (`boards/soak`): the checksum of each is \
-              that of the host, and the painted stack gets no deeper after the first 50.",
+              that of the host, and the painted stack gets no deeper after the first loop of it, 54 frames.",
         prove: soak::prove,
     },
     Promise {
