@@ -34,6 +34,19 @@ pub fn root() -> &'static Path {
     here.parent().unwrap_or(here)
 }
 
+/// The scene files of the project, by name.
+pub fn scenes() -> anyhow::Result<Vec<PathBuf>> {
+    let mut scenes = std::fs::read_dir(root().join("scenes"))?
+        .map(|entry| Ok(entry?.path()))
+        .collect::<anyhow::Result<Vec<_>>>()?;
+    scenes.retain(|path| {
+        path.extension()
+            .is_some_and(|extension| extension == "toml")
+    });
+    scenes.sort();
+    Ok(scenes)
+}
+
 /// Where Cargo builds.
 pub fn target_dir() -> PathBuf {
     let named = env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into());

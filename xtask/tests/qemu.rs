@@ -15,7 +15,7 @@ use xtask::oled::{self, Button, Oled};
 use xtask::qemu::{Arithmetic, Core, Machine};
 use xtask::report::Report;
 use xtask::soak::soak;
-use xtask::{root, scratch_dir};
+use xtask::{root, scenes, scratch_dir};
 
 #[path = "../../boards/motion/src/scene.rs"]
 mod moving;
@@ -23,18 +23,6 @@ mod moving;
 const OLED: Size = Size::new(128, 64);
 /// QEMU shows each pixel of the OLED as a square of so many.
 const ZOOM: usize = 4;
-
-fn scenes() -> Result<Vec<PathBuf>> {
-    let mut scenes = fs::read_dir(root().join("scenes"))?
-        .map(|entry| Ok(entry?.path()))
-        .collect::<Result<Vec<_>>>()?;
-    scenes.retain(|path| {
-        path.extension()
-            .is_some_and(|extension| extension == "toml")
-    });
-    scenes.sort();
-    Ok(scenes)
-}
 
 /// The checksum of a scene on this machine.
 fn checksum(scene: &Path, size: Size) -> Result<String> {

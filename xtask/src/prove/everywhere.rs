@@ -11,7 +11,7 @@ use super::tools::{self, MIPS, NIGHTLY, RISCV, WASM};
 use crate::command::{cargo, command, run};
 use crate::firmware::PROFILE;
 use crate::qemu::{Arithmetic, Core, Machine};
-use crate::{root, target_dir};
+use crate::{root, scenes, target_dir};
 
 const SIZE: Size = Size::new(80, 60);
 
@@ -38,15 +38,7 @@ pub(super) fn prove() -> Result<String> {
 }
 
 fn pictures() -> Result<Vec<Picture>> {
-    let mut scenes = fs::read_dir(root().join("scenes"))?
-        .map(|entry| Ok(entry?.path()))
-        .collect::<Result<Vec<_>>>()?;
-    scenes.retain(|path| {
-        path.extension()
-            .is_some_and(|extension| extension == "toml")
-    });
-    scenes.sort();
-    scenes.iter().map(|scene| picture(scene)).collect()
+    scenes()?.iter().map(|scene| picture(scene)).collect()
 }
 
 fn picture(scene: &Path) -> Result<Picture> {
