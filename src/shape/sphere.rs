@@ -110,8 +110,9 @@ impl Sphere {
     /// The distance to the nearest hit ahead.
     #[inline]
     pub(crate) fn distance(&self, origin: Vec3<Length>, direction: Vec3<Unit>) -> Option<Length> {
-        /// What a half can be off by, the root of 2 r times a step and a half, and more: a
-        /// ray that has farther to go to the entry starts outside.
+        /// An offset is off by a step and a half, and so half a chord by `sqrt(3 r)` at
+        /// most, which is less than 2^15 steps: whoever has more than twice that to go
+        /// to the entry starts outside.
         const OFF: Length = Length::from_bits(1 << 16);
         let chord = self.chord(origin, direction)?;
         if chord.middle > Length::ZERO {
@@ -160,5 +161,56 @@ impl Sphere {
     #[inline]
     pub(crate) fn normal(&self, point: Vec3<Length>) -> Vec3<Unit> {
         (point - self.center).normalized().0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use fastrand::Rng;
+
+    use super::*;
+    use crate::vector::direction;
+
+    fn vector(random: &mut Rng, reach: f64) -> Vec3<Length> {
+        let mut c = || Length::from_num((2.0 * random.f64() - 1.0) * reach);
+        Vec3::new(c(), c(), c())
+    }
+
+    /// Rays from close to the surface, most of them almost along it.
+    #[test]
+    fn where_a_ray_starts_is_asked_wherever_it_matters() {
+        let random = &mut Rng::with_seed(1);
+        let rays = if cfg!(miri) { 300 } else { 300_000 };
+        let mut met = 0;
+        for _ in 0..rays {
+            let radius = 2_f64.powf(-12.0 * random.f64());
+            let sphere = Sphere::new(vector(random, 1.0), Length::from_num(radius));
+            let Some(up) = direction(vector(random, 1.0).map(|c| c.to_bits().into())) else {
+                continue;
+            };
+            // In or above the surface by 1 to 2^18 steps.
+            let above = (1 << random.u32(..19)) * [-1, 1][random.usize(..2)];
+            let origin = sphere.center + up.times(sphere.radius + Length::from_bits(above));
+            let Some(other) = direction(vector(random, 1.0).map(|c| c.to_bits().into())) else {
+                continue;
+            };
+            let side = up.cross(other);
+            let lean = random.i64(-1 << 30..1 << 30) >> random.u32(..30);
+            let along = side.zip(up, |s, u| {
+                (s >> 30) + ((i64::from(u.to_bits()) * lean) >> 30)
+            });
+            let Some(along) = direction(along) else {
+                continue;
+            };
+            let exact = sphere.chord(origin, along);
+            let exact = exact.and_then(|chord| sphere.distance_from_close(&chord));
+            assert_eq!(
+                sphere.distance(origin, along),
+                exact,
+                "{sphere:?} {origin:?} {along:?}"
+            );
+            met += i32::from(exact.is_some());
+        }
+        assert!(3 * met > rays, "{met} of {rays}");
     }
 }
