@@ -64,8 +64,8 @@ impl Scaled {
         exponent: -64,
     };
 
-    /// A distance, as [`Ray::far_at`](crate::ray::Ray::far_at) takes it: not shifted
-    /// up, and so in no order with others.
+    /// A distance that is not negative, as [`Ray::far_at`](crate::ray::Ray::far_at) takes
+    /// it: not shifted up, and so in no order with others.
     pub(crate) fn unordered(distance: Length) -> Self {
         Self {
             mantissa: distance.to_bits() as u32,
