@@ -271,7 +271,7 @@ pub(crate) fn inverse_length(square: u64) -> InverseLength {
 
 /// The reciprocal root of an integer `n`, scaled so that
 /// `n = normalized * 2^(32 - 2*half_shift)`.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct InverseLength {
     /// `U0F32` in [1/4, 1).
     pub(crate) normalized: u32,
@@ -281,6 +281,18 @@ pub(crate) struct InverseLength {
 }
 
 impl InverseLength {
+    /// The cosine of a vector, whose length this is the reciprocal of, to a direction: from
+    /// how long it is along that, in steps 2^30 times as fine. Error below 2^-28.
+    #[inline(always)]
+    pub(crate) fn cosine(self, along: i64) -> Unit {
+        // Below 2^30, as the length is below 2^(32 - half_shift).
+        let (high, low) = ((along >> 32) as i32, along as u32);
+        let scaled = high << self.half_shift | ((low >> 1) >> (31 - self.half_shift)) as i32;
+        // * U1F31, which less 2 fits a signed word, for which chips have a multiply.
+        let product = scaled.product(self.inverse as i32) + (1 << 30);
+        Unit::from_bits((scaled << 1) + (product >> 31) as i32)
+    }
+
     /// sqrt(n), relative error below 2^-29, rounded to an integer.
     #[inline]
     pub(crate) fn length(self) -> u32 {

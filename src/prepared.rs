@@ -58,7 +58,8 @@ impl<'b> Sights<'b> {
     /// Those of a light.
     #[inline(always)]
     pub(crate) fn by_light(&self, index: usize) -> Option<&'b [Sight]> {
-        self.all.get(index * self.count..)?.get(..self.count)
+        let first = index * self.count;
+        self.all.get(first..first + self.count)
     }
 }
 
@@ -165,7 +166,8 @@ pub(crate) struct Material {
     pub(crate) shininess: u32,
     /// Whether it mirrors light or lets it through: derived.
     pub(crate) branches: bool,
-    /// The least cosine of which a highlight can be seen, `U1F31`: derived.
+    /// The least cosine of which a highlight can be seen, `U1F31`; more than 1 if none
+    /// can: derived.
     pub(crate) dimmest: u32,
     /// Index of refraction, 1 to 4, and its reciprocal.
     pub(crate) ior: Length,
@@ -193,7 +195,11 @@ impl Material {
     pub(crate) fn complete(self) -> Self {
         Self {
             branches: !self.kr.is_black() || !self.kt.is_black(),
-            dimmest: dimmest(self.shininess),
+            dimmest: if self.ks.is_black() {
+                u32::MAX
+            } else {
+                dimmest(self.shininess)
+            },
             ..self
         }
     }

@@ -5,7 +5,9 @@
 use core::ptr;
 
 use crate::intersect::{Hit, Part};
-use crate::num::{Factor, Product, Radiance, Unit, leading_zeros, power, reciprocal_root};
+use crate::num::{
+    Factor, Product, Radiance, Unit, inverse_length, leading_zeros, power, reciprocal_root,
+};
 use crate::observer::{Observer, share};
 use crate::prepared::{Material, PreparedScene};
 use crate::ray::{Point, Ray, Start};
@@ -116,13 +118,26 @@ impl<'s> Surface<'s> {
         };
         // To the light, in steps of the point's shift.
         let way = self.point.to(light.position);
-        if way.along(self.normal).to_bits() <= 0 {
+        let along = way.along(self.normal).to_bits();
+        if along <= 0 {
             return;
         }
-        let to_light = way.normalized().0;
+        let inverse = inverse_length(way.squared().to_bits() as u64);
+        let cosine = inverse.cosine(along);
+        let material = self.material;
+        let highlight = if material.dimmest == u32::MAX {
+            Factor::ZERO
+        } else {
+            let across = inverse.cosine(way.along(self.view).to_bits());
+            self.highlight(across, cosine, observer)
+        };
+        if highlight == Factor::ZERO && material.kd.is_black() {
+            return;
+        }
         let shadow = ShadowRay {
             light,
-            to_light,
+            way,
+            inverse,
             point: &self.point,
             view: &self.view,
             start: &self.start,
@@ -136,18 +151,13 @@ impl<'s> Surface<'s> {
         if !is_lit {
             return;
         }
-        let material = self.material;
         let (mut diffuse, mut specular) = (light.diffuse, light.specular);
         if let Some(left) = left {
             (diffuse, specular) = (diffuse.filtered(left), specular.filtered(left));
         }
-        let cosine = to_light.cosine(self.normal);
         *sum = sum.plus(material.kd.reflect(factor(cosine), diffuse));
-        if !material.ks.is_black() {
-            let highlight = self.highlight(to_light, cosine, observer);
-            if highlight != Factor::ZERO {
-                *sum = sum.plus(material.ks.reflect(highlight, specular));
-            }
+        if highlight != Factor::ZERO {
+            *sum = sum.plus(material.ks.reflect(highlight, specular));
         }
     }
 
@@ -157,25 +167,20 @@ impl<'s> Surface<'s> {
     /// `R_L · -V = 2 (L·n)(-V·n) + L·V`, and `H · n = (L·n - V·n) / |L - V|`
     /// with `|L - V|² = 2 - 2 L·V`.
     #[inline]
-    fn highlight(
-        &self,
-        to_light: Vec3<Unit>,
-        cosine: Unit,
-        observer: &mut impl Observer,
-    ) -> Factor {
-        let across = to_light.dot(self.view);
+    fn highlight(&self, across: Unit, cosine: Unit, observer: &mut impl Observer) -> Factor {
         let base = if self.material.blinn {
             let sum = (cosine.to_bits() as u32).wrapping_add(self.cosine.to_bits() as u32);
             // |L - V|² / 4, as U0F32, is at most 1 and 0 only against the light.
-            let square = ((1 << 60) - across.to_bits()) >> 29;
+            let square = ((1 << 30) - i64::from(across.to_bits())) << 1;
             let square = square.clamp(1, i64::from(u32::MAX)) as u32;
             let shift = leading_zeros(square) & !1;
             // Q30 * U1F31 * 2^(shift/2) / 2 -> Q31
             let product = sum.product(reciprocal_root(square << shift));
             (product >> (31 - shift / 2)) as i64
         } else {
-            // I4F60 -> Q31
-            ((cosine.product(self.cosine).to_bits() << 1) + across.to_bits() + (1 << 28)) >> 29
+            // I4F60 + Q30 -> Q31
+            ((cosine.product(self.cosine).to_bits() + (1 << 27)) >> 28)
+                + (i64::from(across.to_bits()) << 1)
         };
         if base < i64::from(self.material.dimmest) {
             return Factor::ZERO;

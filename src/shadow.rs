@@ -4,13 +4,13 @@
 //! way is known without a root and without the point where it is met. Only
 //! what lets light through, or is of a rarer shape, is looked at more closely.
 
-use crate::num::{Factor, Length, Scaled, Unit};
+use crate::num::{Factor, InverseLength, Length, Scaled, Unit};
 use crate::observer::{Observer, RayKind};
 use crate::prepared::{Light, Object, PreparedScene};
 use crate::ray::{Point, Ray, Start};
-use crate::shape::{Plane, Quadric, Shape, Sphere, narrow};
+use crate::shape::{Plane, Quadric, Shape, Sphere, narrowed};
 use crate::texture::Texture;
-use crate::vector::round_length;
+use crate::vector::normalize;
 use crate::{Color, Vec3};
 
 /// The way from a light to a point of a surface.
@@ -19,8 +19,10 @@ use crate::{Color, Vec3};
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ShadowRay<'s> {
     pub(crate) light: &'s Light,
-    /// From the point to the light.
-    pub(crate) to_light: Vec3<Unit>,
+    /// From the point to the light, in steps of the point's shift.
+    pub(crate) way: Vec3<Length>,
+    /// The reciprocal of how long that is.
+    pub(crate) inverse: InverseLength,
     pub(crate) point: &'s Point,
     /// From where the point is seen, towards it.
     pub(crate) view: &'s Vec3<Unit>,
@@ -42,7 +44,7 @@ impl ShadowRay<'_> {
         observer.ray(RayKind::Shadow);
         observer.bounds(scene.finite.len() as u32);
         let own = self.start.left();
-        let direction = narrow(self.to_light);
+        let direction = narrowed(self.way.map(Length::to_bits), self.inverse);
         for sight in scene.sights.by_light(index).unwrap_or_default() {
             if sight.may_meet(direction)
                 && sight.object != own
@@ -108,7 +110,7 @@ impl ShadowRay<'_> {
         let light = self.light.position;
         match &object.shape {
             Shape::Sphere(sphere) => {
-                let [entry, exit] = sphere.is_crossed(light, -self.to_light, self.distance());
+                let [entry, exit] = sphere.is_crossed(light, -self.to_light(), self.distance());
                 // From the inside of a sphere the exit is the lit point itself.
                 Some(u8::from(entry) + u8::from(exit && !is_start))
             }
@@ -125,10 +127,16 @@ impl ShadowRay<'_> {
         }
     }
 
+    /// From the point to the light.
+    #[inline]
+    fn to_light(&self) -> Vec3<Unit> {
+        normalize(self.way.map(Length::to_bits), self.inverse)
+    }
+
     /// To the point, in steps of the point's shift.
+    #[inline]
     fn length(&self) -> Length {
-        let way = self.point.to(self.light.position);
-        round_length(way.along(self.to_light).to_bits(), 30)
+        Length::from_bits(self.inverse.length() as i32)
     }
 
     /// To the point, if it is near; else the light's way passes all finite
@@ -149,7 +157,7 @@ impl ShadowRay<'_> {
     fn ray(&self) -> Ray {
         Ray {
             origin: Point::near(self.light.position),
-            direction: -self.to_light,
+            direction: -self.to_light(),
             start: Start::NOWHERE,
         }
     }
@@ -216,7 +224,7 @@ impl ShadowRay<'_> {
         let (ray, start) = if is_start {
             let back = Ray {
                 origin: *self.point,
-                direction: self.to_light,
+                direction: self.to_light(),
                 start: *self.start,
             };
             (back, Some(self.start.inward))

@@ -13,7 +13,7 @@ mod sphereflake;
 use crate::observer::ShapeKind;
 use crate::ray::{Again, Nature};
 
-pub(crate) use bound::{Around, Bound, Sight, coarse, narrow};
+pub(crate) use bound::{Around, Bound, Sight, coarse, narrow, narrowed};
 pub(crate) use plane::{Bounds, Plane};
 pub(crate) use quadric::{Cone, Cylinder, Ellipsoid, Form, Paraboloid, Quadric};
 pub(crate) use sphere::Sphere;

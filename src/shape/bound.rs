@@ -1,7 +1,7 @@
 use fixed::types::I8F56;
 
 use crate::Vec3;
-use crate::num::{Length, Square, Unit, quotient, square_root};
+use crate::num::{InverseLength, Length, Square, Unit, quotient, square_root};
 use crate::vector::high;
 
 /// A sphere around all of a finite shape.
@@ -17,8 +17,8 @@ pub(crate) struct Bound {
 impl Bound {
     /// How a near point sees it, an object's.
     pub(crate) fn seen_from(&self, point: Vec3<Length>, object: u16) -> Sight {
-        /// More than what rounding the two directions does to their cosine: 5.2 * 2^-16.
-        const MARGIN: i32 = 3 << 15;
+        /// More than what rounding the two directions does to their cosine: 12.6 * 2^-16.
+        const MARGIN: i32 = 13 << 14;
         let mut sight = Sight {
             object,
             ..Sight::NONE
@@ -61,6 +61,17 @@ pub(crate) fn narrow(direction: Vec3<Unit>) -> Vec3<i32> {
     direction.map(|c| c.to_bits() >> 14)
 }
 
+/// The same of a vector, given the reciprocal of its length; each component within
+/// 2^-13.
+#[inline(always)]
+pub(crate) fn narrowed(v: Vec3<i32>, inverse: InverseLength) -> Vec3<i32> {
+    // As `normalize` does it, by the upper halves of what is 2^30 to 2^31 long and of
+    // U1F31.
+    let shift = inverse.half_shift.wrapping_sub(1) & 31;
+    let half = (inverse.inverse >> 16) as i32;
+    v.map(|c| ((c << shift >> 16) * half) >> 14)
+}
+
 /// A point for differences of 16 bits: Q12, rounded down.
 #[inline(always)]
 pub(crate) fn coarse(point: Vec3<Length>) -> Vec3<i32> {
@@ -95,7 +106,7 @@ impl Sight {
     };
 
     /// Whether the object may be on the way to the point from a direction, which is
-    /// [`narrow`].
+    /// [`narrowed`].
     #[inline(always)]
     pub(crate) fn may_meet(&self, direction: Vec3<i32>) -> bool {
         dot(self.away.map(i32::from), direction) >= self.least
@@ -197,8 +208,9 @@ mod tests {
                 let rim = across.map(|c| Length::from_num(c / length * radius * 0.999));
                 side = Vec3::new(rim[0], rim[1], rim[2]);
             }
-            let towards = (bound.center + side - origin).map(|c| i64::from(c.to_bits()));
-            let Some(direction) = vector::direction(towards) else {
+            let towards = bound.center + side;
+            let way = (towards - origin).map(|c| i64::from(c.to_bits()));
+            let Some(direction) = vector::direction(way) else {
                 continue;
             };
             let [off, along] = passes(&bound, origin, direction);
@@ -211,7 +223,8 @@ mod tests {
             let around = bound.around(0);
             let sight = bound.seen_from(origin, 0);
             let around = around.may_meet(coarse(origin), narrow(direction));
-            let sight = sight.may_meet(narrow(-direction));
+            let back = origin - towards;
+            let sight = sight.may_meet(narrowed(back.map(Length::to_bits), back.normalized().1));
             assert!(!meets || around, "{bound:?} {origin:?} {direction:?}");
             assert!(!meets || sight, "{bound:?} {origin:?} {direction:?}");
             met += i32::from(meets);
