@@ -64,7 +64,7 @@ pub(crate) fn nearest(
         return nearest_from_far(scene, ray, part, observer);
     }
     let mut nearest = Nearest::new(scene, ray, part);
-    let left = ray.start.left();
+    let left = ray.start.left;
     nearest.meet_finite(left, observer);
     for &object in scene.endless {
         if object != left {
@@ -254,7 +254,7 @@ fn nearest_from_far(
     let endless = nearest_endless(scene, ray, observer);
     let finite = ray.approaching().and_then(|(ray, skipped)| {
         let mut nearest = Nearest::new(scene, &ray, part);
-        nearest.meet_finite(ray.start.left(), observer);
+        nearest.meet_finite(ray.start.left, observer);
         let distance = i64::from(nearest.limit.to_bits()) + skipped;
         Some((nearest.hit(observer)?, distance))
     });

@@ -91,6 +91,8 @@ pub(crate) struct Ray {
 pub(crate) struct Start {
     /// The object's number.
     pub(crate) object: u16,
+    /// The same, if the ray cannot meet it again; else a number that none has.
+    pub(crate) left: u16,
     /// Which of the spheres of a sphereflake; else 0.
     pub(crate) part: u32,
     /// Whether the ray runs through the inside of the object.
@@ -98,51 +100,66 @@ pub(crate) struct Start {
     pub(crate) nature: Nature,
 }
 
-/// What an object is to the rays that start on it.
+/// What an object is to the rays that start on it: a byte, as each ray has one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Nature {
-    /// Whether a ray can meet it again.
-    pub(crate) again: Again,
-    /// Whether it is finite.
-    pub(crate) is_finite: bool,
-    /// Whether it bounds no inside.
-    pub(crate) is_open: bool,
-}
+pub(crate) struct Nature(u8);
 
 impl Nature {
     /// Of nothing.
-    pub(crate) const NONE: Self = Self {
-        again: Again::Perhaps,
-        is_finite: false,
-        is_open: false,
-    };
-}
+    pub(crate) const NONE: Self = Self(0);
+    /// A ray that starts away from it cannot meet it again.
+    pub(crate) const LEFT_OUTWARD: Self = Self(1);
+    /// One through its inside cannot.
+    pub(crate) const LEFT_INWARD: Self = Self(2);
+    pub(crate) const FINITE: Self = Self(4);
+    /// It bounds no inside.
+    pub(crate) const OPEN: Self = Self(8);
 
-/// Whether a ray can meet the object again that it starts on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Again {
-    /// A flat one.
-    Never,
-    /// A convex one: from its inside.
-    Inward,
-    Perhaps,
+    /// This, and the other if that is so.
+    pub(crate) fn and(self, other: Self, is_so: bool) -> Self {
+        if is_so { Self(self.0 | other.0) } else { self }
+    }
+
+    /// Whether it is the other, too.
+    #[inline(always)]
+    pub(crate) fn is(self, other: Self) -> bool {
+        self.0 & other.0 != 0
+    }
 }
 
 impl Start {
-    /// The number of the object, if the ray cannot meet it again; else a number
-    /// that none has.
+    /// On an object, or a part of it.
     #[inline(always)]
-    pub(crate) fn left(&self) -> u16 {
-        match self.nature.again {
-            Again::Never => self.object,
-            Again::Inward if !self.inward => self.object,
-            _ => Self::NOWHERE.object,
+    pub(crate) fn new(object: u16, part: u32, inward: bool, nature: Nature) -> Self {
+        let is_left = nature.is(if inward {
+            Nature::LEFT_INWARD
+        } else {
+            Nature::LEFT_OUTWARD
+        });
+        let left = if is_left {
+            object
+        } else {
+            Self::NOWHERE.object
+        };
+        Self {
+            object,
+            left,
+            part,
+            inward,
+            nature,
         }
+    }
+
+    /// The same place, where a ray goes to the other side.
+    #[inline]
+    pub(crate) fn beyond(self) -> Self {
+        Self::new(self.object, self.part, !self.inward, self.nature)
     }
 
     /// In the open: the eye or a light.
     pub(crate) const NOWHERE: Self = Self {
         object: u16::MAX,
+        left: u16::MAX,
         part: 0,
         inward: false,
         nature: Nature::NONE,

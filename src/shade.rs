@@ -10,7 +10,7 @@ use crate::num::{
 };
 use crate::observer::{Observer, share};
 use crate::prepared::{Material, PreparedScene};
-use crate::ray::{Point, Ray, Start};
+use crate::ray::{Nature, Point, Ray, Start};
 use crate::shadow::ShadowRay;
 use crate::shape::Shape;
 use crate::{Color, Vec3, optics};
@@ -36,31 +36,26 @@ impl<'s> Surface<'s> {
     pub(crate) fn new(scene: &PreparedScene<'s>, ray: &Ray, hit: Hit, part: &Part) -> Self {
         let object = scene.object(hit.object);
         let point = hit.point(object, ray);
-        let mut start = Start {
-            object: hit.object,
-            part: 0,
-            inward: false,
-            nature: object.nature,
-        };
+        let mut path = 0;
         let normal = match &object.shape {
             Shape::Sphere(sphere) => sphere.normal(point.coordinates),
             Shape::Plane(plane) => plane.normal,
             Shape::Quadric(quadric) => quadric.normal(point),
             Shape::Sphereflake(_) => {
-                start.part = part.path;
+                path = part.path;
                 part.normal
             }
         };
         let material = scene.material(object.texture.material(point));
         let cosine = ray.direction.cosine(normal);
-        start.inward = cosine > Unit::ZERO;
+        let inward = cosine > Unit::ZERO;
         Self {
             point,
             view: ray.direction,
-            normal: if start.inward { -normal } else { normal },
+            normal: if inward { -normal } else { normal },
             cosine: cosine.abs(),
             material,
-            start,
+            start: Start::new(hit.object, path, inward, object.nature),
         }
     }
 
@@ -201,7 +196,7 @@ impl<'s> Surface<'s> {
         if kt.is_black() {
             return shares;
         }
-        let direction = if self.start.nature.is_open {
+        let direction = if self.start.nature.is(Nature::OPEN) {
             Some(self.view)
         } else {
             self.refracted()
@@ -240,10 +235,7 @@ impl<'s> Surface<'s> {
         Ray {
             origin: self.point,
             direction: refraction,
-            start: Start {
-                inward: !self.start.inward,
-                ..self.start
-            },
+            start: self.start.beyond(),
         }
     }
 }

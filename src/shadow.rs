@@ -7,7 +7,7 @@
 use crate::num::{Factor, InverseLength, Length, Scaled, Unit};
 use crate::observer::{Observer, RayKind};
 use crate::prepared::{Light, Object, PreparedScene};
-use crate::ray::{Point, Ray, Start};
+use crate::ray::{Nature, Point, Ray, Start};
 use crate::shape::{Plane, Quadric, Shape, Sphere, narrowed};
 use crate::texture::Texture;
 use crate::vector::normalize;
@@ -43,7 +43,7 @@ impl ShadowRay<'_> {
     ) -> bool {
         observer.ray(RayKind::Shadow);
         observer.bounds(scene.finite.len() as u32);
-        let own = self.start.left();
+        let own = self.start.left;
         let direction = narrowed(self.way.map(Length::to_bits), self.inverse);
         for sight in scene.sights.by_light(index).unwrap_or_default() {
             if sight.may_meet(direction)
@@ -53,7 +53,7 @@ impl ShadowRay<'_> {
                 return false;
             }
         }
-        if self.start.nature.is_finite && !self.light.is_walled && self.point.is_near() {
+        if self.start.nature.is(Nature::FINITE) && !self.light.is_walled && self.point.is_near() {
             return true;
         }
         let mut endless = scene.endless.iter().filter(|&&object| object != own);

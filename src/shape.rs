@@ -11,7 +11,7 @@ mod sphere;
 mod sphereflake;
 
 use crate::observer::ShapeKind;
-use crate::ray::{Again, Nature};
+use crate::ray::Nature;
 
 pub(crate) use bound::{Around, Bound, Sight, coarse, narrow, narrowed};
 pub(crate) use plane::{Bounds, Plane};
@@ -47,16 +47,16 @@ impl Shape {
 
     /// What it is to the rays that start on it.
     pub(crate) fn nature(&self) -> Nature {
-        let (again, is_finite, is_open) = match self {
-            Self::Sphere(_) => (Again::Inward, true, false),
-            Self::Plane(plane) => (Again::Never, false, plane.bounds.is_some()),
-            Self::Quadric(quadric) => (Again::Perhaps, !quadric.is_endless(), quadric.is_open()),
-            Self::Sphereflake(_) => (Again::Perhaps, true, false),
-        };
-        Nature {
-            again,
-            is_finite,
-            is_open,
+        let finite = Nature::FINITE;
+        match self {
+            Self::Sphere(_) => finite.and(Nature::LEFT_OUTWARD, true),
+            Self::Plane(plane) => Nature::LEFT_OUTWARD
+                .and(Nature::LEFT_INWARD, true)
+                .and(Nature::OPEN, plane.bounds.is_some()),
+            Self::Quadric(quadric) => Nature::NONE
+                .and(Nature::FINITE, !quadric.is_endless())
+                .and(Nature::OPEN, quadric.is_open()),
+            Self::Sphereflake(_) => finite,
         }
     }
 
