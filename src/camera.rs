@@ -7,7 +7,7 @@ use crate::num::{
 use crate::prepared::Camera;
 use crate::ray::{Point, Ray, Start};
 use crate::shape::Plane;
-use crate::vector::{high, normalize};
+use crate::vector::high;
 
 /// The widest and the highest raster.
 pub(crate) const MAX_SIDE: u32 = u16::MAX as u32;
@@ -39,9 +39,14 @@ impl View {
         // tangent / height: U4F28 * U1F31 -> U6F58
         let shift = height.max(1).leading_zeros();
         let g = wide(camera.tangent, reciprocal(height.max(1) << shift)) >> (33 - shift);
-        // 1 + X + Y, Q28, bounds the length of a direction.
-        let longest = (1 << 28) + ((g >> 30) + 1) * u64::from(width + height);
-        let divisor = (64 - longest.leading_zeros()).saturating_sub(29);
+        // sqrt(1 + X² + Y²), Q28, bounds the length of a direction; squared in Q56 or, if it is
+        // long, coarser.
+        let sides = [width, height].map(|side| ((g >> 30) + 1) * u64::from(side));
+        let coarser = (64 - (sides[0] | sides[1]).leading_zeros()).saturating_sub(30);
+        let square = |side: u64| ((side >> coarser) + 1).pow(2);
+        let longest_squared = square(1 << 28) + square(sides[0]) + square(sides[1]);
+        let bits = 64 - longest_squared.leading_zeros() + 2 * coarser;
+        let divisor = bits.saturating_sub(58).div_ceil(2);
         let g_shift = g.max(1).leading_zeros();
         let g_mantissa = ((g << g_shift) >> 32) as i64;
         // I2F30 * (U6F58 as a 32-bit mantissa) -> Q62
@@ -228,17 +233,16 @@ impl Line {
     }
 }
 
+/// The directions, below 2 in length.
 impl Iterator for Line {
     type Item = Vec3<Unit>;
 
     #[inline(always)]
     fn next(&mut self) -> Option<Vec3<Unit>> {
         self.remaining = self.remaining.checked_sub(1)?;
-        let direction = self.direction.map(high);
-        let square = direction.map(|c| c.square());
-        let inverse = inverse_length((square.x + square.y + square.z) as u64);
+        let direction = self.direction.map(|c| Unit::from_bits(high(c)));
         self.direction = self.direction.zip(self.step, i64::wrapping_add);
-        Some(normalize(direction, inverse))
+        Some(direction)
     }
 
     fn size_hint(&self) -> (usize, Option<usize>) {

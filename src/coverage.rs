@@ -26,6 +26,17 @@ pub(crate) struct Coverage {
     /// From which column on there may be others.
     change: u32,
     is_complete: bool,
+    /// Whether they are all planes.
+    are_flat: bool,
+}
+
+/// What the ray through a column may meet.
+#[derive(Clone, Copy)]
+pub(crate) struct Candidates<'c> {
+    /// The numbers of the objects; `None` if that may be any.
+    pub(crate) objects: Option<&'c [u16]>,
+    /// Whether they are all planes.
+    pub(crate) are_flat: bool,
 }
 
 /// Columns, the last of them not included.
@@ -34,6 +45,7 @@ struct Span {
     object: u16,
     from: u16,
     to: u16,
+    is_flat: bool,
 }
 
 impl Coverage {
@@ -47,45 +59,55 @@ impl Coverage {
         let mut fits = true;
         for around in scene.finite {
             if let Some(columns) = columns(&around.bound(), &row) {
-                fits &= self.add(around.object, columns);
+                fits &= self.add(around.object, false, columns);
             }
         }
         for &object in scene.endless {
             let shape = scene.objects.get(usize::from(object)).map(|it| &it.shape);
-            if let Some(Shape::Plane(plane)) = shape
-                && !row.may_meet(plane)
-            {
-                continue;
-            }
-            fits &= self.add(object, whole);
+            let is_flat = match shape {
+                Some(Shape::Plane(plane)) if !row.may_meet(plane) => continue,
+                Some(Shape::Plane(_)) => true,
+                _ => false,
+            };
+            fits &= self.add(object, is_flat, whole);
         }
         self.is_complete = fits;
     }
 
-    fn add(&mut self, object: u16, [from, to]: [u16; 2]) -> bool {
-        from >= to || self.spans.push(Span { object, from, to }).is_ok()
+    fn add(&mut self, object: u16, is_flat: bool, [from, to]: [u16; 2]) -> bool {
+        let span = Span {
+            object,
+            from,
+            to,
+            is_flat,
+        };
+        from >= to || self.spans.push(span).is_ok()
     }
 
-    /// The numbers of the objects that the ray through column `x` may meet,
-    /// columns being asked for in rising order; `None` if that may be any.
+    /// What the ray through column `x` may meet, columns being asked for in rising order.
     #[inline]
-    pub(crate) fn at(&mut self, x: u32) -> Option<&[u16]> {
+    pub(crate) fn at(&mut self, x: u32) -> Candidates<'_> {
         if x >= self.change {
             self.advance(x);
         }
-        self.is_complete.then_some(&self.here)
+        Candidates {
+            objects: self.is_complete.then_some(&self.here),
+            are_flat: self.are_flat,
+        }
     }
 
     #[inline(never)]
     fn advance(&mut self, x: u32) {
         self.here.clear();
         self.change = u32::MAX;
+        self.are_flat = self.is_complete;
         for span in &self.spans {
             let (from, to) = (u32::from(span.from), u32::from(span.to));
             if x < from {
                 self.change = self.change.min(from);
             } else if x < to {
                 self.change = self.change.min(to);
+                self.are_flat &= span.is_flat;
                 // There is room for all of them.
                 let _ = self.here.push(span.object);
             }

@@ -79,6 +79,12 @@ pub(crate) struct Settings {
 }
 
 impl Settings {
+    /// Whether the background is not the same everywhere.
+    #[inline(always)]
+    pub(crate) fn is_gradient(&self) -> bool {
+        self.horizon != self.zenith
+    }
+
     /// Before they are read.
     pub(crate) fn blank() -> Self {
         let nowhere = Vec3::new(Real::ZERO, Real::ZERO, Real::ZERO);

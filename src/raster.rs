@@ -56,17 +56,15 @@ impl<'s> Raster<'s> {
         y: u32,
         observer: &mut impl Observer,
     ) -> Color<Radiance> {
-        let mut directions = view.line(y);
-        directions.pass(x);
-        directions
+        let columns = Columns {
+            from: x,
+            to: x.saturating_add(1),
+            spacing: 0,
+        };
+        let mut pixels = self.pixels(view, y, columns, observer);
+        pixels
             .next()
-            .map_or(Color::<Radiance>::BLACK, |direction| {
-                let ray = Ray {
-                    direction,
-                    ..view.ray()
-                };
-                trace(self.scene, &ray, None, &mut self.scratch, observer)
-            })
+            .map_or(Color::<Radiance>::BLACK, |(_, color)| color)
     }
 }
 
@@ -102,7 +100,7 @@ impl<O: Observer> Iterator for Pixels<'_, O> {
         let candidates = self.coverage.at(x);
         let color = trace(
             self.scene,
-            &self.ray,
+            &mut self.ray,
             candidates,
             self.scratch,
             self.observer,

@@ -76,6 +76,19 @@ impl<'s> Surface<'s> {
         self.start.inward
     }
 
+    /// Whether it looks the same from everywhere.
+    #[inline]
+    pub(crate) fn is_matte(&self) -> bool {
+        self.material.dimmest == u32::MAX && !self.material.branches
+    }
+
+    /// Takes the unit vector of the incoming ray in place of one of another length.
+    #[inline]
+    pub(crate) fn look_along(&mut self, view: Vec3<Unit>) {
+        self.view = view;
+        self.cosine = view.cosine(self.normal).abs();
+    }
+
     /// Whether rays go on from here.
     #[inline]
     pub(crate) fn branches(&self) -> bool {

@@ -3,6 +3,7 @@
 use heapless::Vec;
 
 use crate::Color;
+use crate::coverage::Candidates;
 use crate::intersect::{self, Part};
 use crate::num::{Factor, Product, Radiance, Unit};
 use crate::observer::{Node, Observer, RayKind, share};
@@ -63,21 +64,25 @@ pub(crate) struct Scratch {
 /// it is followed, so there is at most one for each generation.
 type Stack = Vec<Branch, { MAX_DEPTH as usize }>;
 
-/// The radiance that an eye ray brings back, which may meet the `candidates` or,
-/// if there are none given, anything.
+/// The radiance that an eye ray brings back, of which candidates are known. Its
+/// direction is below 2 in length and made a unit vector if need be: planes and what
+/// they reflect diffusely can do without.
 ///
 /// Not inlined: there is one copy of all tracing, whatever it is drawn into.
 #[inline(never)]
 pub(crate) fn trace(
     scene: &PreparedScene<'_>,
-    ray: &Ray,
-    candidates: Option<&[u16]>,
+    ray: &mut Ray,
+    candidates: Candidates<'_>,
     scratch: &mut Scratch,
     observer: &mut impl Observer,
 ) -> Color<Radiance> {
     observer.ray(RayKind::Eye);
     let part = &mut scratch.part;
-    let hit = match candidates {
+    if !candidates.are_flat {
+        ray.direction = ray.direction.unit();
+    }
+    let hit = match candidates.objects {
         Some([]) => None,
         Some(objects) => intersect::nearest_of(objects, scene, ray, part, observer),
         None => intersect::nearest(scene, ray, part, observer),
@@ -86,7 +91,11 @@ pub(crate) fn trace(
     let eye = Kin::EYE;
     match hit {
         Some(hit) => {
-            let surface = Surface::new(scene, ray, hit, part);
+            let mut surface = Surface::new(scene, ray, hit, part);
+            if candidates.are_flat && !surface.is_matte() {
+                make_unit(ray);
+                surface.look_along(ray.direction);
+            }
             surface.local(scene, &mut radiance, observer);
             tell(observer, scene, Some(&surface), eye, radiance);
             if surface.branches() && scene.settings.max_depth > 0 {
@@ -94,6 +103,9 @@ pub(crate) fn trace(
             }
         }
         None => {
+            if candidates.are_flat && scene.settings.is_gradient() {
+                make_unit(ray);
+            }
             radiance = background(&scene.settings, ray.direction.y);
             tell(observer, scene, None, eye, radiance);
         }
@@ -102,6 +114,11 @@ pub(crate) fn trace(
         return radiance;
     }
     radiance.brightened(scene.settings.exposure.into())
+}
+
+#[inline(never)]
+fn make_unit(ray: &mut Ray) {
+    ray.direction = ray.direction.unit();
 }
 
 /// Adds what the rays bring back that go on from where the eye ray hit.
@@ -216,7 +233,7 @@ fn follow(
 /// What a ray that hits nothing brings back.
 #[inline(never)]
 fn background(settings: &Settings, height: Unit) -> Color<Radiance> {
-    if height <= 0 || settings.horizon == settings.zenith {
+    if height <= 0 || !settings.is_gradient() {
         return settings.horizon.into();
     }
     settings.horizon.zip(settings.zenith, |horizon, zenith| {

@@ -181,6 +181,14 @@ impl Vec3<Unit> {
         self.map(|c| round_length(c.product(distance).to_bits(), 30))
     }
 
+    /// The unit vector along it; its length must be below 2.
+    #[inline(always)]
+    pub(crate) fn unit(self) -> Self {
+        let square = self.map(Unit::square);
+        let inverse = inverse_length((square.x + square.y + square.z).to_bits() as u64);
+        normalize(self.map(Unit::to_bits), inverse)
+    }
+
     /// A vector of nearly unit length made unit by one Newton step: n(3 - n²)/2.
     ///
     /// Deviations up to 2^-15 vanish in the rounding.
