@@ -7,10 +7,11 @@
 use heapless::VecView;
 
 use crate::Vec3;
-use crate::num::Length;
-use crate::prepared::{Light, Object};
-use crate::ray::Point;
+use crate::num::{Length, Square};
+use crate::prepared::{Light, Material, Object};
+use crate::ray::{Nature, Point};
 use crate::shape::{Around, Bound, Shape, Sight};
+use crate::texture::Texture;
 
 /// The lists that tell where to look for objects, each as long as theirs.
 pub(crate) struct Index<'b> {
@@ -51,6 +52,53 @@ pub(crate) fn look(light: &mut Light, objects: &[Object], endless: &[u16], sight
         is_walled |= endless.iter().any(|number| parts(number, &bound));
     }
     light.is_walled = is_walled;
+}
+
+/// Notes which spheres of glass nothing else reaches into: rays inside of them need look
+/// for nothing else.
+pub(crate) fn seclude(objects: &mut [Object], materials: &[Material]) {
+    let is_clear = |number: u16| {
+        let material = materials.get(usize::from(number));
+        material.is_some_and(|material| !material.kt.is_black())
+    };
+    let is_glass = |object: &&Object| match &object.texture {
+        Texture::Uniform(material) => is_clear(*material),
+        Texture::Checker(checker) => checker.materials.into_iter().any(is_clear),
+    };
+    for number in 0..objects.len() {
+        let Some(Object {
+            shape: Shape::Sphere(sphere),
+            ..
+        }) = objects.get(number).filter(is_glass)
+        else {
+            continue;
+        };
+        let bound = sphere.bounding_sphere();
+        let mut others = objects
+            .iter()
+            .zip(0..)
+            .filter(|(_, other)| *other != number);
+        let is_alone = others.all(|(other, _)| is_clear_of(&other.shape, &bound));
+        if let Some(object) = objects.get_mut(number) {
+            object.nature = object.nature.and(Nature::ALONE, is_alone);
+        }
+    }
+}
+
+/// Whether a shape does not reach into a bound.
+fn is_clear_of(shape: &Shape, bound: &Bound) -> bool {
+    /// More than all roundings.
+    const MARGIN: Length = Length::lit("0.00001");
+    let radius = bound.radius + MARGIN;
+    match (shape, shape.bounding_sphere()) {
+        (_, Some(other)) => {
+            (other.center - bound.center).squared() > (other.radius + radius).square()
+        }
+        (Shape::Plane(plane), None) => {
+            plane.depth(Point::near(bound.center)).abs() > i64::from(radius.to_bits())
+        }
+        _ => false,
+    }
 }
 
 /// Whether something endless may be between a point and something finite.

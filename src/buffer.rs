@@ -2,7 +2,7 @@
 
 use heapless::Vec;
 
-use crate::acceleration::{Index, look};
+use crate::acceleration::{Index, look, seclude};
 use crate::error::Full;
 use crate::prepared::{Light, Material, Object, Room, Settings, Sights};
 use crate::shape::{Around, Sight};
@@ -86,6 +86,7 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize>
             endless: self.endless.as_mut_view(),
         };
         index.fill(&self.objects);
+        seclude(&mut self.objects, &self.materials);
         let sights = self.sights.as_flattened_mut();
         let mut sights = sights.chunks_mut(self.finite.len().max(1));
         for light in &mut self.lights {

@@ -6,9 +6,9 @@
 
 use crate::Vec3;
 use crate::num::{Length, NEAR_LIMIT, Scaled, Unit};
-use crate::observer::Observer;
+use crate::observer::{Observer, ShapeKind};
 use crate::prepared::{Object, PreparedScene};
-use crate::ray::{Point, Ray, Start};
+use crate::ray::{Nature, Point, Ray, Start};
 use crate::shape::{Path, Quadric, Shape, Sphereflake, coarse, narrow};
 
 /// The nearest surface of a ray.
@@ -62,6 +62,16 @@ pub(crate) fn nearest(
 ) -> Option<Hit> {
     if !ray.origin.is_near() {
         return nearest_from_far(scene, ray, part, observer);
+    }
+    if ray.start.inward
+        && ray.start.nature.is(Nature::ALONE)
+        && let Shape::Sphere(sphere) = &scene.object(ray.start.object).shape
+    {
+        observer.test(ShapeKind::Sphere, true);
+        return Some(Hit {
+            object: ray.start.object,
+            distance: sphere.across(ray.origin.coordinates, ray.direction),
+        });
     }
     let mut nearest = Nearest::new(scene, ray, part);
     let left = ray.start.left;
@@ -129,28 +139,11 @@ impl<'r> Nearest<'r> {
     }
 
     /// Looks at an object.
-    ///
-    /// Not inlined: in a loop of few turns, what would be prepared before it
-    /// costs more than it saves.
-    #[inline(never)]
+    #[inline(always)]
     fn meet(&mut self, number: u16, observer: &mut impl Observer) {
-        let Some(object) = self.scene.objects.get(usize::from(number)) else {
-            return;
-        };
-        let ray = self.ray;
-        let is_start = number == ray.start.object;
-        let origin = ray.origin.coordinates;
-        let distance = match &object.shape {
-            Shape::Sphere(sphere) if is_start => Some(sphere.across(origin, ray.direction)),
-            Shape::Sphere(sphere) => sphere.distance(origin, ray.direction),
-            Shape::Plane(plane) => plane.distance(ray, self.limit),
-            Shape::Quadric(quadric) => quadric_distance(quadric, ray, is_start),
-            Shape::Sphereflake(flake) => {
-                flake_distance(flake, ray, is_start, self.limit, self.part, observer)
-            }
-        };
-        observer.test(object.shape.kind(), distance.is_some());
-        let Some(distance) = distance else {
+        let Some(distance) = distance(
+            number, self.scene, self.ray, self.limit, self.part, observer,
+        ) else {
             return;
         };
         if distance < self.limit {
@@ -174,6 +167,33 @@ impl<'r> Nearest<'r> {
         }
         None
     }
+}
+
+/// How far an object is, exact if that is below `limit`; [`Length::MAX`] if it is not near.
+///
+/// Not inlined: in a loop of few turns, what would be prepared before it
+/// costs more than it saves.
+#[inline(never)]
+fn distance(
+    number: u16,
+    scene: &PreparedScene<'_>,
+    ray: &Ray,
+    limit: Length,
+    part: &mut Part,
+    observer: &mut impl Observer,
+) -> Option<Length> {
+    let object = scene.objects.get(usize::from(number))?;
+    let is_start = number == ray.start.object;
+    let origin = ray.origin.coordinates;
+    let distance = match &object.shape {
+        Shape::Sphere(sphere) if is_start => Some(sphere.across(origin, ray.direction)),
+        Shape::Sphere(sphere) => sphere.distance(origin, ray.direction),
+        Shape::Plane(plane) => plane.distance(ray, limit),
+        Shape::Quadric(quadric) => quadric_distance(quadric, ray, is_start),
+        Shape::Sphereflake(flake) => flake_distance(flake, ray, is_start, limit, part, observer),
+    };
+    observer.test(object.shape.kind(), distance.is_some());
+    distance
 }
 
 #[inline(never)]

@@ -114,6 +114,8 @@ impl Nature {
     pub(crate) const FINITE: Self = Self(4);
     /// It bounds no inside.
     pub(crate) const OPEN: Self = Self(8);
+    /// Nothing else reaches into it: a sphere that lets light through.
+    pub(crate) const ALONE: Self = Self(16);
 
     /// This, and the other if that is so.
     pub(crate) fn and(self, other: Self, is_so: bool) -> Self {
