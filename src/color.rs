@@ -84,13 +84,9 @@ impl Color<Factor> {
         })
     }
 
-    /// `weight * radiance`: `U1F15 * (U2F30 -> U2F15) -> U2F30`; all of it
-    /// for a weight of 1, which eye rays have.
+    /// `weight * radiance`: `U1F15 * (U2F30 -> U2F15) -> U2F30`.
     #[inline(always)]
     pub(crate) fn weigh(self, radiance: Color<Radiance>) -> Color<Radiance> {
-        if self == Self::WHITE {
-            return radiance;
-        }
         self.zip(radiance, |weight, radiance| {
             Radiance::from_bits(u32::from(weight.to_bits()) * (radiance.to_bits() >> 15))
         })

@@ -170,7 +170,10 @@ fn visit(
     let mut local = Color::<Radiance>::BLACK;
     surface.local(scene, &mut local, observer);
     tell(observer, scene, Some(&surface), branch.kin, local);
-    *radiance = radiance.plus(branch.kin.weight.weigh(local));
+    // Most of what is glass is.
+    if local != Color::<Radiance>::BLACK {
+        *radiance = radiance.plus(branch.kin.weight.weigh(local));
+    }
     surface.branches()
         && branch.kin.generation < scene.settings.max_depth
         && follow(&surface, &scene.settings, branch, stack)
