@@ -17,6 +17,7 @@ mod product;
 
 pub(crate) use decimal::Decimal;
 pub(crate) use long_multiply::leading_zeros;
+use long_multiply::{middle, square_of_21_bits};
 pub(crate) use product::{Product, Square};
 
 /// An authored number: the range and precision of a scene as it is written
@@ -222,7 +223,7 @@ pub(crate) fn reciprocal(x: u32) -> u32 {
     let segment = RECIPROCAL[(x >> 26) as usize & (SEGMENTS - 1)];
     let y = evaluate(segment, (x >> 12) as i32 & 0x3fff);
     // e = 1 - x*y: U0F32 * U1F31 -> Q63, and |e| < 2^-16 leaves 47 bits of it.
-    let error = !((wide(x, y << 11) >> 16) as u32) as i32;
+    let error = !middle(x, y << 11) as i32;
     // y + y*e: U1F31 * Q47 -> U1F31
     refined(y, error)
 }
@@ -235,9 +236,8 @@ pub(crate) fn reciprocal_root(x: u32) -> u32 {
     debug_assert!(x >> 30 != 0);
     let segment = RECIPROCAL_ROOT[(x >> 26) as usize];
     let y = evaluate(segment, (x >> 12) as i32 & 0x3fff);
-    // e = 1 - x*y*y: U1F31^2 -> U2F30, * U0F32 -> Q62, and |e| < 2^-15 leaves 48 bits of it.
-    let square = (wide(y << 11, y << 11) >> 32) as u32;
-    let error = !((wide(x, square) >> 16) as u32) as i32;
+    // e = 1 - x*y*y: U1F20^2 -> U2F30, * U0F32 -> Q62, and |e| < 2^-15 leaves 48 bits of it.
+    let error = !middle(x, square_of_21_bits(y)) as i32;
     // y + y*e/2: U1F31 * Q46 -> U1F31
     refined(y, error)
 }

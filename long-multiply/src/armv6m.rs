@@ -84,6 +84,25 @@ pub(crate) fn mixed(a: i32, b: u32) -> i64 {
 }
 
 #[inline(always)]
+pub(crate) fn middle(a: u32, b: u32) -> u32 {
+    let (al, ah, bl, bh) = (a & 0xffff, a >> 16, b & 0xffff, b >> 16);
+    (al.wrapping_mul(bl) >> 16)
+        .wrapping_add(al.wrapping_mul(bh))
+        .wrapping_add(ah.wrapping_mul(bl))
+        .wrapping_add(ah.wrapping_mul(bh) << 16)
+}
+
+#[inline(always)]
+pub(crate) fn square_of_21_bits(a: u32) -> u32 {
+    let (upper, lower) = (a >> 10, a & 0x3ff);
+    let upper_square = upper.wrapping_mul(upper) << 10;
+    let twice = upper.wrapping_mul(lower) << 1;
+    upper_square
+        .wrapping_add(twice)
+        .wrapping_add(lower.wrapping_mul(lower) >> 10)
+}
+
+#[inline(always)]
 pub(crate) fn square(a: i32) -> i64 {
     let (low, high): (u32, i32);
     // SAFETY: changes the named registers alone.

@@ -47,3 +47,15 @@ pub fn leading_zeros(x: u32) -> u32 {
 pub fn square(a: i32) -> i64 {
     words::square(a)
 }
+
+/// a b / 2^16, of which the lower 32 bits.
+#[inline(always)]
+pub fn middle(a: u32, b: u32) -> u32 {
+    words::middle(a, b)
+}
+
+/// a² / 2^10, for an `a` below 2^21.
+#[inline(always)]
+pub fn square_of_21_bits(a: u32) -> u32 {
+    words::square_of_21_bits(a)
+}

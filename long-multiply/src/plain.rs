@@ -22,3 +22,14 @@ pub(crate) fn square(a: i32) -> i64 {
 pub(crate) fn leading_zeros(x: u32) -> u32 {
     x.leading_zeros()
 }
+
+#[inline(always)]
+pub(crate) fn middle(a: u32, b: u32) -> u32 {
+    (unsigned(a, b) >> 16) as u32
+}
+
+#[inline(always)]
+pub(crate) fn square_of_21_bits(a: u32) -> u32 {
+    let a = a << 11;
+    (unsigned(a, a) >> 32) as u32
+}

@@ -54,10 +54,14 @@ fn holds(a: u32, b: u32) -> Result<(), (u32, u32)> {
     let (i, j) = (a as i32, b as i32);
     // Plain products, which the compiler must not see through.
     let (p, q) = (black_box(i64::from(i)), black_box(u64::from(a)));
+    let c = a >> 11;
+    let d = black_box(u64::from(c));
     let right = long_multiply::signed(i, j) == p * i64::from(j)
         && long_multiply::unsigned(a, b) == q * u64::from(b)
         && long_multiply::mixed(i, b) == p * i64::from(b)
         && long_multiply::square(i) == p * i64::from(i)
+        && long_multiply::middle(a, b) == ((q * u64::from(b)) >> 16) as u32
+        && long_multiply::square_of_21_bits(c) == ((d * u64::from(c)) >> 10) as u32
         && long_multiply::leading_zeros(a) == black_box(a).leading_zeros();
     right.then_some(()).ok_or((a, b))
 }
