@@ -197,6 +197,12 @@ impl Material {
         blinn: false,
     };
 
+    #[inline(always)]
+    pub(crate) fn none() -> &'static Self {
+        static NONE: Material = Material::NONE;
+        &NONE
+    }
+
     /// The material with what follows from its coefficients.
     pub(crate) fn complete(self) -> Self {
         Self {
@@ -250,8 +256,9 @@ impl<'b> PreparedScene<'b> {
     /// Preparing and decoding see to it that there is one.
     #[inline(always)]
     pub(crate) fn material(&self, index: u16) -> &'b Material {
-        static NONE: Material = Material::NONE;
-        self.materials.get(usize::from(index)).unwrap_or(&NONE)
+        self.materials
+            .get(usize::from(index))
+            .unwrap_or(Material::none())
     }
 
     /// The object of a number that a hit has.

@@ -100,7 +100,7 @@ impl<O: Observer> Iterator for Pixels<'_, O> {
         let candidates = self.coverage.at(x);
         let color = trace(
             self.scene,
-            &mut self.ray,
+            &self.ray,
             candidates,
             self.scratch,
             self.observer,

@@ -15,26 +15,54 @@ use crate::shadow::ShadowRay;
 use crate::shape::Shape;
 use crate::{Color, Vec3, optics};
 
-/// All that shading needs to know of a hit.
+/// All that shading needs to know of a hit, and the ray that met it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Surface<'s> {
-    point: Point,
-    /// Of the incoming ray.
-    view: Vec3<Unit>,
-    /// Turned to face the incoming ray.
+    /// It has moved on: from the hit, where it came from behind the surface if it starts
+    /// inward.
+    ray: Ray,
+    /// Turned to face the ray.
     normal: Vec3<Unit>,
-    /// Of the incoming ray and the normal: `-V · n`, not negative.
+    /// Of the ray and the normal: `-V · n`, not negative.
     cosine: Unit,
     material: &'s Material,
-    /// What a ray that starts here on the same side must not meet again;
-    /// `inward` if the ray came from behind the surface.
-    start: Start,
 }
 
 impl<'s> Surface<'s> {
+    /// None yet, but a ray on its way to one.
     #[inline(always)]
-    pub(crate) fn new(scene: &PreparedScene<'s>, ray: &Ray, hit: Hit, part: &Part) -> Self {
+    pub(crate) fn ahead_of(ray: Ray) -> Self {
+        Self {
+            ray,
+            normal: Vec3::new(Unit::ZERO, Unit::ZERO, Unit::ZERO),
+            cosine: Unit::ZERO,
+            material: Material::none(),
+        }
+    }
+
+    /// The ray.
+    #[inline(always)]
+    pub(crate) fn ray(&self) -> &Ray {
+        &self.ray
+    }
+
+    /// Sends another ray on its way.
+    #[inline(always)]
+    pub(crate) fn follow(&mut self, ray: Ray) {
+        self.ray = ray;
+    }
+
+    /// Makes the direction of the ray a unit vector.
+    #[inline(always)]
+    pub(crate) fn make_unit(&mut self) {
+        self.ray.direction = self.ray.direction.unit();
+    }
+
+    /// Moves the ray on to what it hits.
+    #[inline(always)]
+    pub(crate) fn meet(&mut self, scene: &PreparedScene<'s>, hit: Hit, part: &Part) {
         let object = scene.object(hit.object);
+        let ray = &mut self.ray;
         let point = hit.point(object, ray);
         let mut path = 0;
         let normal = match &object.shape {
@@ -46,22 +74,18 @@ impl<'s> Surface<'s> {
                 part.normal
             }
         };
-        let material = scene.material(object.texture.material(point));
         let cosine = ray.direction.cosine(normal);
         let inward = cosine > Unit::ZERO;
-        Self {
-            point,
-            view: ray.direction,
-            normal: if inward { -normal } else { normal },
-            cosine: cosine.abs(),
-            material,
-            start: Start::new(hit.object, path, inward, object.nature),
-        }
+        ray.origin = point;
+        ray.start = Start::new(hit.object, path, inward, object.nature);
+        self.normal = if inward { -normal } else { normal };
+        self.cosine = cosine.abs();
+        self.material = scene.material(object.texture.material(point));
     }
 
     /// The object's number.
     pub(crate) fn object(&self) -> u16 {
-        self.start.object
+        self.ray.start.object
     }
 
     /// The material's number: found by its place in the list, as only observers ask.
@@ -73,7 +97,7 @@ impl<'s> Surface<'s> {
 
     /// Whether the ray came from behind the surface.
     pub(crate) fn inside(&self) -> bool {
-        self.start.inward
+        self.ray.start.inward
     }
 
     /// Whether it looks the same from everywhere.
@@ -82,11 +106,11 @@ impl<'s> Surface<'s> {
         self.material.dimmest == u32::MAX && !self.material.branches
     }
 
-    /// Takes the unit vector of the incoming ray in place of one of another length.
-    #[inline]
-    pub(crate) fn look_along(&mut self, view: Vec3<Unit>) {
-        self.view = view;
-        self.cosine = view.cosine(self.normal).abs();
+    /// Makes the direction of the ray a unit vector after it has met the surface.
+    #[inline(never)]
+    pub(crate) fn look_closely(&mut self) {
+        self.make_unit();
+        self.cosine = self.ray.direction.cosine(self.normal).abs();
     }
 
     /// Whether rays go on from here.
@@ -125,7 +149,7 @@ impl<'s> Surface<'s> {
             return;
         };
         // To the light, in steps of the point's shift.
-        let way = self.point.to(light.position);
+        let way = self.ray.origin.to(light.position);
         let along = way.along(self.normal).to_bits();
         if along <= 0 {
             return;
@@ -136,7 +160,7 @@ impl<'s> Surface<'s> {
         let highlight = if material.dimmest == u32::MAX {
             Factor::ZERO
         } else {
-            let across = inverse.cosine(way.along(self.view).to_bits());
+            let across = inverse.cosine(way.along(self.ray.direction).to_bits());
             self.highlight(across, cosine, observer)
         };
         if highlight == Factor::ZERO && material.kd.is_black() {
@@ -146,9 +170,7 @@ impl<'s> Surface<'s> {
             light,
             way,
             inverse,
-            point: &self.point,
-            view: &self.view,
-            start: &self.start,
+            ray: &self.ray,
         };
         let mut left = None;
         let is_lit = shadow.arrives(scene, index, &mut left, observer);
@@ -209,8 +231,8 @@ impl<'s> Surface<'s> {
         if kt.is_black() {
             return shares;
         }
-        let direction = if self.start.nature.is(Nature::OPEN) {
-            Some(self.view)
+        let direction = if self.ray.start.nature.is(Nature::OPEN) {
+            Some(self.ray.direction)
         } else {
             self.refracted()
         };
@@ -229,26 +251,22 @@ impl<'s> Surface<'s> {
             ior, inverse_ior, ..
         } = *self.material;
         let eta = if self.inside() { ior } else { inverse_ior };
-        optics::refracted(self.view, self.normal, self.cosine, eta)
+        optics::refracted(self.ray.direction, self.normal, self.cosine, eta)
     }
 
-    /// The ray that is mirrored here.
+    /// Sends the ray on, mirrored.
     #[inline]
-    pub(crate) fn reflected(&self) -> Ray {
-        Ray {
-            origin: self.point,
-            direction: optics::mirrored(self.view, self.normal, self.cosine),
-            start: self.start,
-        }
+    pub(crate) fn reflect(&mut self) {
+        self.ray.direction = optics::mirrored(self.ray.direction, self.normal, self.cosine);
     }
 
     /// The ray that goes through.
     #[inline]
     pub(crate) fn transmitted(&self, refraction: Vec3<Unit>) -> Ray {
         Ray {
-            origin: self.point,
+            origin: self.ray.origin,
             direction: refraction,
-            start: self.start.beyond(),
+            start: self.ray.start.beyond(),
         }
     }
 }

@@ -23,11 +23,8 @@ pub(crate) struct ShadowRay<'s> {
     pub(crate) way: Vec3<Length>,
     /// The reciprocal of how long that is.
     pub(crate) inverse: InverseLength,
-    pub(crate) point: &'s Point,
-    /// From where the point is seen, towards it.
-    pub(crate) view: &'s Vec3<Unit>,
-    /// The surface that the point is on; `inward` if it is lit from its inside.
-    pub(crate) start: &'s Start,
+    /// The ray that has met the point.
+    pub(crate) ray: &'s Ray,
 }
 
 impl ShadowRay<'_> {
@@ -43,7 +40,7 @@ impl ShadowRay<'_> {
     ) -> bool {
         observer.ray(RayKind::Shadow);
         observer.bounds(scene.finite.len() as u32);
-        let own = self.start.left;
+        let own = self.ray.start.left;
         let direction = narrowed(self.way.map(Length::to_bits), self.inverse);
         for sight in scene.sights.by_light(index).unwrap_or_default() {
             if sight.may_meet(direction)
@@ -53,7 +50,10 @@ impl ShadowRay<'_> {
                 return false;
             }
         }
-        if self.start.nature.is(Nature::FINITE) && !self.light.is_walled && self.point.is_near() {
+        if self.ray.start.nature.is(Nature::FINITE)
+            && !self.light.is_walled
+            && self.ray.origin.is_near()
+        {
             return true;
         }
         let mut endless = scene.endless.iter().filter(|&&object| object != own);
@@ -71,7 +71,7 @@ impl ShadowRay<'_> {
         observer: &mut impl Observer,
     ) -> bool {
         let object = scene.object(number);
-        let is_start = number == self.start.object;
+        let is_start = number == self.ray.start.object;
         // What each crossing takes, if that is the same everywhere.
         let kt = match object.texture {
             Texture::Uniform(material) => Some(scene.material(material).kt),
@@ -115,13 +115,17 @@ impl ShadowRay<'_> {
                 Some(u8::from(entry) + u8::from(exit && !is_start))
             }
             Shape::Plane(plane) => {
-                let is_between = plane.is_between(light, *self.point, *self.view);
+                let is_between = plane.is_between(light, self.ray.origin, self.ray.direction);
                 (!is_between || plane.bounds.is_none()).then_some(is_between.into())
             }
             Shape::Sphereflake(flake) if is_opaque => {
-                let from = is_start.then_some(*self.start);
+                let from = is_start.then_some(self.ray.start);
                 let reach = self.distance();
-                Some(flake.is_between(&self.ray(), from, reach, observer).into())
+                Some(
+                    flake
+                        .is_between(&self.from_light(), from, reach, observer)
+                        .into(),
+                )
             }
             Shape::Quadric(_) | Shape::Sphereflake(_) => None,
         }
@@ -142,7 +146,7 @@ impl ShadowRay<'_> {
     /// To the point, if it is near; else the light's way passes all finite
     /// geometry.
     fn distance(&self) -> Length {
-        if self.point.is_near() {
+        if self.ray.origin.is_near() {
             self.length()
         } else {
             Length::MAX
@@ -151,10 +155,10 @@ impl ShadowRay<'_> {
 
     /// To the point, wherever it is, in steps of a [`Length`].
     fn reach(&self) -> i64 {
-        i64::from(self.length().to_bits()) << self.point.shift
+        i64::from(self.length().to_bits()) << self.ray.origin.shift
     }
 
-    fn ray(&self) -> Ray {
+    fn from_light(&self) -> Ray {
         Ray {
             origin: Point::near(self.light.position),
             direction: -self.to_light(),
@@ -187,8 +191,8 @@ fn filtered(
             return left;
         }
         Shape::Sphereflake(flake) => {
-            let ray = shadow.ray();
-            let from = is_start.then_some(*shadow.start);
+            let ray = shadow.from_light();
+            let from = is_start.then_some(shadow.ray.start);
             flake.crossings(&ray, from, shadow.distance(), observer, &mut |distance| {
                 pass(ray.at(distance))
             });
@@ -208,7 +212,7 @@ type Crossings = (Ray, [Option<Scaled>; 2]);
 
 impl ShadowRay<'_> {
     fn of_sphere(&self, sphere: &Sphere, is_start: bool) -> Crossings {
-        let ray = self.ray();
+        let ray = self.from_light();
         let [entry, exit] = sphere.crossings(self.light.position, ray.direction);
         // From the inside of a sphere the exit is the lit point itself.
         let exit = exit.filter(|_| !is_start);
@@ -223,22 +227,22 @@ impl ShadowRay<'_> {
     fn of_quadric(&self, quadric: &Quadric, is_start: bool) -> Crossings {
         let (ray, start) = if is_start {
             let back = Ray {
-                origin: *self.point,
+                origin: self.ray.origin,
                 direction: self.to_light(),
-                start: *self.start,
+                start: self.ray.start,
             };
-            (back, Some(self.start.inward))
+            (back, Some(self.ray.start.inward))
         } else {
-            (self.ray(), None)
+            (self.from_light(), None)
         };
         (ray, quadric.crossings(&ray, start))
     }
 
     fn of_plane(&self, plane: &Plane) -> Option<Point> {
-        let point = if plane.may_hold(*self.point) {
-            *self.point
+        let point = if plane.may_hold(self.ray.origin) {
+            self.ray.origin
         } else {
-            let ray = self.ray();
+            let ray = self.from_light();
             ray.far_at(plane.unbounded_distance(&ray)?)
         };
         plane.covers(point).then_some(point)

@@ -72,42 +72,60 @@ type Stack = Vec<Branch, { MAX_DEPTH as usize }>;
 #[inline(never)]
 pub(crate) fn trace(
     scene: &PreparedScene<'_>,
-    ray: &mut Ray,
+    ray: &Ray,
     candidates: Candidates<'_>,
-    scratch: &mut Scratch,
+    Scratch { stack, part }: &mut Scratch,
     observer: &mut impl Observer,
 ) -> Color<Radiance> {
     observer.ray(RayKind::Eye);
-    let part = &mut scratch.part;
+    let mut surface = Surface::ahead_of(*ray);
     if !candidates.are_flat {
-        ray.direction = ray.direction.unit();
+        surface.make_unit();
     }
     let hit = match candidates.objects {
         Some([]) => None,
-        Some(objects) => intersect::nearest_of(objects, scene, ray, part, observer),
-        None => intersect::nearest(scene, ray, part, observer),
+        Some(objects) => intersect::nearest_of(objects, scene, surface.ray(), part, observer),
+        None => intersect::nearest(scene, surface.ray(), part, observer),
     };
     let mut radiance = Color::<Radiance>::BLACK;
-    let eye = Kin::EYE;
+    let mut kin = Kin::EYE;
     match hit {
         Some(hit) => {
-            let mut surface = Surface::new(scene, ray, hit, part);
+            surface.meet(scene, hit, part);
             if candidates.are_flat && !surface.is_matte() {
-                make_unit(ray);
-                surface.look_along(ray.direction);
+                surface.look_closely();
             }
             surface.local(scene, &mut radiance, observer);
-            tell(observer, scene, Some(&surface), eye, radiance);
+            tell(observer, scene, Some(&surface), kin, radiance);
             if surface.branches() && scene.settings.max_depth > 0 {
-                tree(scene, ray, &surface, scratch, &mut radiance, observer);
+                let mut goes_on = follow(&mut surface, &mut kin, &scene.settings, stack);
+                for _ in 1..RAY_BUDGET {
+                    if !goes_on {
+                        let Some(next) = stack.pop() else {
+                            break;
+                        };
+                        surface.follow(next.ray);
+                        kin = next.kin;
+                    }
+                    goes_on = visit(
+                        scene,
+                        &mut surface,
+                        &mut kin,
+                        stack,
+                        part,
+                        &mut radiance,
+                        observer,
+                    );
+                }
+                stack.clear();
             }
         }
         None => {
             if candidates.are_flat && scene.settings.is_gradient() {
-                make_unit(ray);
+                surface.make_unit();
             }
-            radiance = background(&scene.settings, ray.direction.y);
-            tell(observer, scene, None, eye, radiance);
+            radiance = background(&scene.settings, surface.ray().direction.y);
+            tell(observer, scene, None, kin, radiance);
         }
     }
     if scene.settings.exposure == 0 {
@@ -116,67 +134,36 @@ pub(crate) fn trace(
     radiance.brightened(scene.settings.exposure.into())
 }
 
-#[inline(never)]
-fn make_unit(ray: &mut Ray) {
-    ray.direction = ray.direction.unit();
-}
-
-/// Adds what the rays bring back that go on from where the eye ray hit.
-#[inline(always)]
-fn tree(
-    scene: &PreparedScene<'_>,
-    ray: &Ray,
-    surface: &Surface<'_>,
-    Scratch { stack, part }: &mut Scratch,
-    radiance: &mut Color<Radiance>,
-    observer: &mut impl Observer,
-) {
-    let mut branch = Branch {
-        ray: *ray,
-        kin: Kin::EYE,
-    };
-    let mut goes_on = follow(surface, &scene.settings, &mut branch, stack);
-    for _ in 1..RAY_BUDGET {
-        if !goes_on {
-            let Some(next) = stack.pop() else {
-                return;
-            };
-            branch = next;
-        }
-        goes_on = visit(scene, &mut branch, stack, part, radiance, observer);
-    }
-    stack.clear();
-}
-
-/// Traces a branch, adds what it brings back, and turns it into the one that
+/// Traces a ray, adds what it brings back, and sends the one on its way that
 /// follows; false if none does.
 #[inline(never)]
-fn visit(
-    scene: &PreparedScene<'_>,
-    branch: &mut Branch,
+fn visit<'s>(
+    scene: &PreparedScene<'s>,
+    surface: &mut Surface<'s>,
+    kin: &mut Kin,
     stack: &mut Stack,
     part: &mut Part,
     radiance: &mut Color<Radiance>,
     observer: &mut impl Observer,
 ) -> bool {
-    observer.ray(branch.kin.kind);
-    let Some(hit) = intersect::nearest(scene, &branch.ray, part, observer) else {
-        let background = background(&scene.settings, branch.ray.direction.y);
-        tell(observer, scene, None, branch.kin, background);
-        *radiance = radiance.plus(branch.kin.weight.weigh(background));
+    observer.ray(kin.kind);
+    let Some(hit) = intersect::nearest(scene, surface.ray(), part, observer) else {
+        let background = background(&scene.settings, surface.ray().direction.y);
+        tell(observer, scene, None, *kin, background);
+        *radiance = radiance.plus(kin.weight.weigh(background));
         return false;
     };
-    let surface = Surface::new(scene, &branch.ray, hit, part);
+    surface.meet(scene, hit, part);
     let mut local = Color::<Radiance>::BLACK;
     surface.local(scene, &mut local, observer);
-    tell(observer, scene, Some(&surface), branch.kin, local);
+    tell(observer, scene, Some(surface), *kin, local);
     // Most of what is glass is.
     if local != Color::<Radiance>::BLACK {
-        *radiance = radiance.plus(branch.kin.weight.weigh(local));
+        *radiance = radiance.plus(kin.weight.weigh(local));
     }
     surface.branches()
-        && branch.kin.generation < scene.settings.max_depth
-        && follow(&surface, &scene.settings, branch, stack)
+        && kin.generation < scene.settings.max_depth
+        && follow(surface, kin, &scene.settings, stack)
 }
 
 /// Tells of a node of the tree.
@@ -199,37 +186,40 @@ fn tell(
     });
 }
 
-/// Turns a branch into the one that follows from its hit, and puts off what
-/// else follows; false if nothing does.
+/// Sends the ray on its way that follows from a hit, and puts off what else
+/// follows; false if nothing does.
 #[inline(always)]
 fn follow(
-    surface: &Surface<'_>,
+    surface: &mut Surface<'_>,
+    kin: &mut Kin,
     settings: &Settings,
-    branch: &mut Branch,
     stack: &mut Stack,
 ) -> bool {
-    let from = branch.kin;
     let Shares {
         mirrored,
         transmitted,
     } = surface.shares();
-    let mut goes_on = false;
-    if let Some((share, direction)) = transmitted
-        && let Some(kin) = from.child(share, RayKind::Transmitted, settings)
-    {
+    let through = transmitted.and_then(|(share, direction)| {
+        let kin = kin.child(share, RayKind::Transmitted, settings)?;
         let ray = surface.transmitted(direction);
-        *branch = Branch { ray, kin };
-        goes_on = true;
+        Some(Branch { ray, kin })
+    });
+    let reflected = kin.child(mirrored, RayKind::Reflected, settings);
+    match (through, reflected) {
+        (None, None) => return false,
+        (Some(through), None) => {
+            surface.follow(through.ray);
+            *kin = through.kin;
+        }
+        (through, Some(reflected)) => {
+            if let Some(through) = through {
+                // There is room, as said above; no branch is lost.
+                let _ = stack.push(through);
+            }
+            surface.reflect();
+            *kin = reflected;
+        }
     }
-    let Some(kin) = from.child(mirrored, RayKind::Reflected, settings) else {
-        return goes_on;
-    };
-    if goes_on {
-        // There is room, as said above; no branch is lost.
-        let _ = stack.push(*branch);
-    }
-    branch.ray = surface.reflected();
-    branch.kin = kin;
     true
 }
 
