@@ -369,11 +369,8 @@ fn planes() {
     let mut random = Random(3);
     let mut off = Seen::new("plane: hit off the surface", -28, 2.5);
     for _ in 0..CASES {
-        let plane = Plane {
-            normal: random.direction(),
-            offset: i64::from(Length::from_num(random.between(-0.7, 0.7)).to_bits()),
-            bounds: None,
-        };
+        let offset = Length::from_num(random.between(-0.7, 0.7)).to_bits().into();
+        let plane = Plane::new(random.direction(), offset, None);
         let ray = random.ray();
         let near = plane.distance(&ray, Length::MAX);
         let Some(distance) = near.filter(|distance| *distance < Length::MAX) else {

@@ -28,10 +28,11 @@ impl Hit {
         if self.distance == Length::MAX || !ray.origin.is_near() {
             return self.far_point(object, ray);
         }
-        if let Shape::Sphere(_) = object.shape {
-            return Point::near(ray.near_at(self.distance));
+        match &object.shape {
+            Shape::Sphere(_) => Point::near(ray.near_at(self.distance)),
+            Shape::Plane(plane) if plane.is_near() => Point::near(ray.near_at(self.distance)),
+            _ => ray.at(self.distance),
         }
-        ray.at(self.distance)
     }
 
     #[cold]

@@ -10,7 +10,7 @@ use crate::num::{
 };
 use crate::observer::{Observer, share};
 use crate::prepared::{Material, PreparedScene};
-use crate::ray::{Nature, Point, Ray, Start};
+use crate::ray::{Nature, Ray, Start};
 use crate::shadow::ShadowRay;
 use crate::shape::Shape;
 use crate::{Color, Vec3, optics};

@@ -6,7 +6,7 @@ use crate::shape::{
     Sphereflake,
 };
 use crate::texture::{Checker, Texture};
-use crate::{Axis, scene};
+use crate::{Axis, Vec3, scene};
 
 use super::archive::{Archive, Fields, color, fixed, vector};
 
@@ -114,12 +114,7 @@ fn blank(kind: u8) -> Option<Shape> {
             ..Quadric::default()
         })
     };
-    let plane = |bounds| {
-        Shape::Plane(Plane {
-            bounds,
-            ..Plane::default()
-        })
-    };
+    let plane = |bounds| Shape::Plane(Plane::new(Vec3::default(), 0, bounds));
     Some(match kind {
         kind::SPHERE => Shape::Sphere(Sphere::default()),
         kind::PLANE => plane(None),
@@ -172,6 +167,7 @@ impl Fields for Plane {
             vector(&mut bounds.low, archive);
             vector(&mut bounds.high, archive);
         }
+        *self = Self::new(self.normal, self.offset, self.bounds);
     }
 }
 

@@ -187,11 +187,7 @@ fn plane(
         low: Vec3::new(x[0], y[0], z[0]),
         high: Vec3::new(x[1], y[1], z[1]),
     });
-    Ok(Shape::Plane(Plane {
-        normal,
-        offset,
-        bounds,
-    }))
+    Ok(Shape::Plane(Plane::new(normal, offset, bounds)))
 }
 
 /// u and v of a frame, made exact; `None` if its rows are not nearly

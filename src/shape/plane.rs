@@ -1,6 +1,6 @@
 use crate::Vec3;
 use crate::num::{Length, Product, Scaled, Unit, leading_zeros, quotient, reciprocal, wide};
-use crate::ray::{HORIZON, Point, Ray};
+use crate::ray::{HORIZON, NEAR, Point, Ray};
 
 /// A plane, endless or bounded.
 #[derive(Clone, Copy, Debug, Default)]
@@ -11,6 +11,8 @@ pub(crate) struct Plane {
     pub(crate) offset: i64,
     /// What of the plane there is; endless where it says `None`.
     pub(crate) bounds: Option<Bounds>,
+    /// Whether all of it is near: derived.
+    is_near: bool,
 }
 
 /// A box, endless where a bound is the least or the greatest [`Length`].
@@ -30,16 +32,37 @@ impl Bounds {
         high: Vec3::new(Length::MAX, Length::MAX, Length::MAX),
     };
 
-    #[inline]
+    #[inline(never)]
     pub(crate) fn contain(&self, point: Point) -> bool {
         if !point.is_near() {
             return self.contain_far(point);
         }
-        // Near coordinates leave room for the edge; an endless bound holds all of them.
+        self.contain_near(point.coordinates)
+    }
+
+    /// Whether all points within of a plane are near. Of other planes than these, boards
+    /// and floors, it need not be known.
+    fn are_near(&self, normal: Vec3<Unit>, offset: i64) -> bool {
+        let is_near = |bits: i64| bits.abs() < i64::from(NEAR) - 16;
+        let between = self.low.zip(self.high, |low, high| {
+            is_near(low.to_bits().into()) && is_near(high.to_bits().into())
+        });
+        let n = normal.map(Unit::to_bits);
+        let is_level = is_near(offset);
+        (between.x || is_level && n.y | n.z == 0)
+            && (between.y || is_level && n.x | n.z == 0)
+            && (between.z || is_level && n.x | n.y == 0)
+    }
+
+    /// The same for a point of a plane that is near wherever it is within; coordinates that
+    /// have wrapped are beyond.
+    #[inline(always)]
+    fn contain_near(&self, p: Vec3<Length>) -> bool {
         let within = |c: Length, low: Length, high: Length| {
-            c.to_bits() + EDGE >= low.to_bits() && c.to_bits() - EDGE <= high.to_bits()
+            c.to_bits().wrapping_add(EDGE) >= low.to_bits()
+                && c.to_bits().wrapping_sub(EDGE) <= high.to_bits()
         };
-        let (p, Self { low, high }) = (point.coordinates, self);
+        let Self { low, high } = self;
         within(p.x, low.x, high.x) && within(p.y, low.y, high.y) && within(p.z, low.z, high.z)
     }
 
@@ -66,7 +89,23 @@ impl Plane {
         normal: Vec3::new(Unit::ZERO, Unit::ZERO, Unit::ZERO),
         offset: 0,
         bounds: None,
+        is_near: false,
     };
+
+    pub(crate) fn new(normal: Vec3<Unit>, offset: i64, bounds: Option<Bounds>) -> Self {
+        Self {
+            normal,
+            offset,
+            bounds,
+            is_near: bounds.is_some_and(|bounds| bounds.are_near(normal, offset)),
+        }
+    }
+
+    /// Whether all of it is near.
+    #[inline(always)]
+    pub(crate) fn is_near(&self) -> bool {
+        self.is_near
+    }
 
     /// How far behind the plane a point is, in the point's steps; negative in
     /// front, where the normal points.
@@ -115,7 +154,7 @@ impl Plane {
     }
 
     /// The distance of a hit from a near point: exact if it is below `limit`,
-    /// else anything above; [`Length::MAX`] if it is not near.
+    /// else anything above or none; [`Length::MAX`] if it is not near.
     #[inline]
     pub(crate) fn distance(&self, ray: &Ray, limit: Length) -> Option<Length> {
         let along = self.along(ray.origin.coordinates.map(Length::to_bits));
@@ -124,8 +163,13 @@ impl Plane {
         if (depth >> 32) as i32 ^ cosine < 0 {
             return None;
         }
+        let beyond = if self.is_near {
+            None
+        } else {
+            Some(Length::MAX)
+        };
         let Ok(depth) = i32::try_from(depth) else {
-            return (cosine != 0).then_some(Length::MAX);
+            return beyond.filter(|_| cosine != 0);
         };
         let (depth, cosine) = (depth.unsigned_abs(), cosine.unsigned_abs());
         if depth == 0 || cosine == 0 {
@@ -133,14 +177,19 @@ impl Plane {
         }
         // What is beyond the limit is not worth a division.
         if u64::from(depth) << 30 >= wide(cosine, limit.to_bits() as u32) {
-            return Some(Length::MAX);
+            return beyond;
         }
         let shift = leading_zeros(cosine) & 31;
         // 1/cosine = reciprocal * 2^(shift - 33): Q28, below 2^31.
         let product = wide(depth, reciprocal(cosine << shift));
         let twice = ((product >> 32) as u32) << shift | (product as u32 >> 1) >> (31 - shift);
         let distance = Length::from_bits((twice.wrapping_add(1) >> 1) as i32);
-        (self.bounds.is_none() || self.covers(ray.at(distance))).then_some(distance)
+        let is_there = match &self.bounds {
+            None => true,
+            Some(bounds) if self.is_near => bounds.contain_near(ray.near_at(distance)),
+            Some(bounds) => bounds.contain(ray.at(distance)),
+        };
+        is_there.then_some(distance)
     }
 
     /// Whether a point of the plane is within its bounds.
@@ -184,7 +233,6 @@ impl Plane {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ray::NEAR;
 
     #[test]
     fn a_box_holds_a_step_more_than_what_is_between_its_ends() {
