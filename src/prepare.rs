@@ -50,12 +50,14 @@ pub(crate) fn prepare(scene: &Scene<'_>, room: &mut impl Room) -> Result<Setting
         Background::Solid(color) => (color, color),
         Background::Gradient { horizon, zenith } => (horizon, zenith),
     };
+    let (horizon, zenith) = (intensity(horizon), intensity(zenith));
     Ok(Settings {
         camera,
         authored: scene.camera,
         frame,
-        horizon: intensity(horizon),
-        zenith: intensity(zenith),
+        horizon,
+        zenith,
+        is_gradient: horizon != zenith,
         exposure,
         max_depth: scene.max_depth,
         min_weight: factor(scene.min_weight, 0),

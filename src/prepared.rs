@@ -72,6 +72,8 @@ pub(crate) struct Settings {
     pub(crate) frame: Frame,
     pub(crate) horizon: Color<Factor>,
     pub(crate) zenith: Color<Factor>,
+    /// Whether these differ: derived.
+    pub(crate) is_gradient: bool,
     /// Radiances are to be multiplied by 2^exposure to become those of the scene.
     pub(crate) exposure: u8,
     pub(crate) max_depth: u8,
@@ -79,12 +81,6 @@ pub(crate) struct Settings {
 }
 
 impl Settings {
-    /// Whether the background is not the same everywhere.
-    #[inline(always)]
-    pub(crate) fn is_gradient(&self) -> bool {
-        self.horizon != self.zenith
-    }
-
     /// Before they are read.
     pub(crate) fn blank() -> Self {
         let nowhere = Vec3::new(Real::ZERO, Real::ZERO, Real::ZERO);
@@ -94,6 +90,7 @@ impl Settings {
             frame: Frame::default(),
             horizon: Color::<Factor>::BLACK,
             zenith: Color::<Factor>::BLACK,
+            is_gradient: false,
             exposure: 0,
             max_depth: 0,
             min_weight: Factor::ZERO,

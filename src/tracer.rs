@@ -121,7 +121,7 @@ pub(crate) fn trace(
             }
         }
         None => {
-            if candidates.are_flat && scene.settings.is_gradient() {
+            if candidates.are_flat && scene.settings.is_gradient {
                 surface.make_unit();
             }
             radiance = background(&scene.settings, surface.ray().direction.y);
@@ -224,11 +224,17 @@ fn follow(
 }
 
 /// What a ray that hits nothing brings back.
-#[inline(never)]
+#[inline(always)]
 fn background(settings: &Settings, height: Unit) -> Color<Radiance> {
-    if height <= 0 || !settings.is_gradient() {
-        return settings.horizon.into();
+    if settings.is_gradient && height > 0 {
+        return sky(settings, height);
     }
+    settings.horizon.into()
+}
+
+/// A gradient, at a height above the horizon.
+#[inline(never)]
+fn sky(settings: &Settings, height: Unit) -> Color<Radiance> {
     settings.horizon.zip(settings.zenith, |horizon, zenith| {
         let rise = i32::from(zenith.to_bits()) - i32::from(horizon.to_bits());
         // Q15 * Q30 -> Q30

@@ -41,6 +41,7 @@ impl Fields for Settings {
         exponent.visit(archive);
         color(&mut self.horizon, archive);
         color(&mut self.zenith, archive);
+        self.is_gradient = self.horizon != self.zenith;
         self.exposure.visit(archive);
         self.max_depth.visit(archive);
         fixed(&mut self.min_weight, archive);
