@@ -6,13 +6,15 @@ use core::ptr;
 
 use crate::intersect::{Hit, Part};
 use crate::num::{
-    Factor, Product, Radiance, Unit, inverse_length, leading_zeros, power, reciprocal_root,
+    Factor, Product, Radiance, Square, Unit, inverse_length, leading_zeros, power, reciprocal_root,
+    wide,
 };
 use crate::observer::{Observer, share};
-use crate::prepared::{Material, PreparedScene};
+use crate::prepared::{Light, Material, PreparedScene};
 use crate::ray::{Nature, Ray, Start};
 use crate::shadow::ShadowRay;
 use crate::shape::Shape;
+use crate::vector::high;
 use crate::{Color, Vec3, optics};
 
 /// All that shading needs to know of a hit, and the ray that met it.
@@ -131,9 +133,47 @@ impl<'s> Surface<'s> {
         if self.material.kd.is_black() && self.material.ks.is_black() {
             return;
         }
+        if self.material.kd.is_black() {
+            self.shine(scene, sum, observer);
+            return;
+        }
         for index in 0..scene.lights.len() {
             self.lit(scene, index, sum, observer);
         }
+    }
+
+    /// The same for what has only highlights.
+    #[inline(never)]
+    fn shine(
+        &self,
+        scene: &PreparedScene<'_>,
+        sum: &mut Color<Radiance>,
+        observer: &mut impl Observer,
+    ) {
+        for (index, light) in scene.lights.iter().enumerate() {
+            if self.material.blinn || self.may_shine(light) {
+                self.lit(scene, index, sum, observer);
+            }
+        }
+    }
+
+    /// Whether a light may have a highlight of Phong's that can be seen: most are too dim,
+    /// and it takes no root to know.
+    #[inline(always)]
+    fn may_shine(&self, light: &Light) -> bool {
+        /// More than what the high words leave out.
+        const MARGIN: i32 = 8;
+        let way = self.ray.origin.to(light.position);
+        // `2 (L·n)(-V·n) + L·V` as long as the way: Q58 -> Q26, of which the first is a
+        // product with Q30.
+        let along = high(way.along(self.normal).to_bits());
+        let mirrored = along.product(self.cosine.to_bits()) >> 29;
+        let across = high(way.along(self.ray.direction).to_bits());
+        let base = mirrored as i32 + across + MARGIN;
+        let dimmest = self.material.dimmest >> 16;
+        let square = high(way.squared().to_bits()) as u32;
+        // Q52 next to Q30 * Q24
+        along >= 0 && base > 0 && (base.square() as u64) << 2 >= wide(square, dimmest * dimmest)
     }
 
     /// Adds what the surface reflects of one light towards the ray's origin.
