@@ -21,6 +21,8 @@ const MOST: usize = 64;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Coverage {
     spans: Vec<Span, MOST>,
+    /// How many of the spans come before those that are all of planes.
+    curved: usize,
     /// The numbers of the objects at a column.
     here: Vec<u16, MOST>,
     /// From which column on there may be others.
@@ -45,7 +47,6 @@ struct Span {
     object: u16,
     from: u16,
     to: u16,
-    is_flat: bool,
 }
 
 impl Coverage {
@@ -59,9 +60,10 @@ impl Coverage {
         let mut fits = true;
         for around in scene.finite {
             if let Some(columns) = columns(&around.bound(), &row) {
-                fits &= self.add(around.object, false, columns);
+                fits &= self.add(around.object, columns);
             }
         }
+        self.curved = self.spans.len();
         for &object in scene.endless {
             let shape = scene.objects.get(usize::from(object)).map(|it| &it.shape);
             let is_flat = match shape {
@@ -69,19 +71,16 @@ impl Coverage {
                 Some(Shape::Plane(_)) => true,
                 _ => false,
             };
-            fits &= self.add(object, is_flat, whole);
+            fits &= self.add(object, whole);
+            if !is_flat {
+                self.curved = self.spans.len();
+            }
         }
         self.is_complete = fits;
     }
 
-    fn add(&mut self, object: u16, is_flat: bool, [from, to]: [u16; 2]) -> bool {
-        let span = Span {
-            object,
-            from,
-            to,
-            is_flat,
-        };
-        from >= to || self.spans.push(span).is_ok()
+    fn add(&mut self, object: u16, [from, to]: [u16; 2]) -> bool {
+        from >= to || self.spans.push(Span { object, from, to }).is_ok()
     }
 
     /// What the ray through column `x` may meet, columns being asked for in rising order.
@@ -101,13 +100,13 @@ impl Coverage {
         self.here.clear();
         self.change = u32::MAX;
         self.are_flat = self.is_complete;
-        for span in &self.spans {
+        for (number, span) in self.spans.iter().enumerate() {
             let (from, to) = (u32::from(span.from), u32::from(span.to));
             if x < from {
                 self.change = self.change.min(from);
             } else if x < to {
                 self.change = self.change.min(to);
-                self.are_flat &= span.is_flat;
+                self.are_flat &= number >= self.curved;
                 // There is room for all of them.
                 let _ = self.here.push(span.object);
             }
