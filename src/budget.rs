@@ -147,7 +147,8 @@ fn eye_rays() {
                 i64::from(height) - 2 * i64::from(y) - 1,
             ]
             .map(|c| c as f64 * g);
-            seen.add(difference(units(direction), unit(Vec3::new(x, y, -1.0))));
+            let direction = units(direction.unit());
+            seen.add(difference(direction, unit(Vec3::new(x, y, -1.0))));
         }
     }
     seen.report();

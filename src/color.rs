@@ -1,7 +1,7 @@
 //! Linear colors, and the products of the formats that tracing uses.
 
 use crate::Real;
-use crate::num::{Factor, Radiance};
+use crate::num::{Factor, Radiance, middle};
 
 /// A linear color: red, green, blue.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -84,11 +84,12 @@ impl Color<Factor> {
         })
     }
 
-    /// `weight * radiance`: `U1F15 * (U2F30 -> U2F15) -> U2F30`.
+    /// `weight * radiance`: `U1F15 * U2F30 -> U2F30`.
     #[inline(always)]
     pub(crate) fn weigh(self, radiance: Color<Radiance>) -> Color<Radiance> {
         self.zip(radiance, |weight, radiance| {
-            Radiance::from_bits(u32::from(weight.to_bits()) * (radiance.to_bits() >> 15))
+            // * 2^-15
+            Radiance::from_bits(middle(u32::from(weight.to_bits()) << 1, radiance.to_bits()))
         })
     }
 }

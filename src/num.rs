@@ -16,8 +16,8 @@ mod decimal;
 mod product;
 
 pub(crate) use decimal::Decimal;
-pub(crate) use long_multiply::leading_zeros;
-use long_multiply::{middle, square_of_21_bits};
+use long_multiply::square_of_21_bits;
+pub(crate) use long_multiply::{leading_zeros, middle};
 pub(crate) use product::{Product, Square};
 
 /// An authored number: the range and precision of a scene as it is written
