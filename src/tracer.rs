@@ -44,7 +44,8 @@ impl Kin {
     #[inline(always)]
     fn child(&self, share: Color<Factor>, kind: RayKind, settings: &Settings) -> Option<Self> {
         let weight = self.weight.filtered(share);
-        let counts = !share.is_black() && !weight.all(|w| w < settings.min_weight);
+        let too_little = settings.min_weight.saturating_sub(Factor::DELTA);
+        let counts = !weight.all(|w| w <= too_little);
         counts.then_some(Self {
             weight,
             generation: self.generation + 1,
@@ -74,96 +75,149 @@ pub(crate) fn trace(
     scene: &PreparedScene<'_>,
     ray: &Ray,
     candidates: Candidates<'_>,
-    Scratch { stack, part }: &mut Scratch,
+    scratch: &mut Scratch,
     observer: &mut impl Observer,
 ) -> Color<Radiance> {
     observer.ray(RayKind::Eye);
-    let mut surface = Surface::ahead_of(*ray);
+    let mut walk = Walk {
+        surface: Surface::ahead_of(*ray),
+        kin: Kin::EYE,
+        radiance: Color::<Radiance>::BLACK,
+    };
     if !candidates.are_flat {
-        surface.make_unit();
+        walk.surface.make_unit();
     }
+    let (ray, part) = (walk.surface.ray(), &mut scratch.part);
     let hit = match candidates.objects {
         Some([]) => None,
-        Some(objects) => intersect::nearest_of(objects, scene, surface.ray(), part, observer),
-        None => intersect::nearest(scene, surface.ray(), part, observer),
+        Some(objects) => intersect::nearest_of(objects, scene, ray, part, observer),
+        None => intersect::nearest(scene, ray, part, observer),
     };
-    let mut radiance = Color::<Radiance>::BLACK;
-    let mut kin = Kin::EYE;
-    match hit {
-        Some(hit) => {
-            surface.meet(scene, hit, part);
-            if candidates.are_flat && !surface.is_matte() {
-                surface.look_closely();
-            }
-            surface.local(scene, &mut radiance, observer);
-            tell(observer, scene, Some(&surface), kin, radiance);
-            if surface.branches() && scene.settings.max_depth > 0 {
-                let mut goes_on = follow(&mut surface, &mut kin, &scene.settings, stack);
-                for _ in 1..RAY_BUDGET {
-                    if !goes_on {
-                        let Some(next) = stack.pop() else {
-                            break;
-                        };
-                        surface.follow(next.ray);
-                        kin = next.kin;
-                    }
-                    goes_on = visit(
-                        scene,
-                        &mut surface,
-                        &mut kin,
-                        stack,
-                        part,
-                        &mut radiance,
-                        observer,
-                    );
-                }
-                stack.clear();
-            }
+    if let Some(hit) = hit {
+        walk.surface.meet(scene, hit, part);
+        if candidates.are_flat && !walk.surface.is_matte() {
+            walk.surface.look_closely();
         }
-        None => {
-            if candidates.are_flat && scene.settings.is_gradient {
-                surface.make_unit();
-            }
-            radiance = background(&scene.settings, surface.ray().direction.y);
-            tell(observer, scene, None, kin, radiance);
+        walk.surface.local(scene, &mut walk.radiance, observer);
+        tell(
+            observer,
+            scene,
+            Some(&walk.surface),
+            walk.kin,
+            walk.radiance,
+        );
+        if walk.surface.branches() && scene.settings.max_depth > 0 {
+            walk.climb(scene, scratch, observer);
         }
+    } else {
+        if candidates.are_flat && scene.settings.is_gradient {
+            walk.surface.make_unit();
+        }
+        walk.radiance = background(&scene.settings, walk.surface.ray().direction.y);
+        tell(observer, scene, None, walk.kin, walk.radiance);
     }
     if scene.settings.exposure == 0 {
-        return radiance;
+        return walk.radiance;
     }
-    radiance.brightened(scene.settings.exposure.into())
+    walk.radiance.brightened(scene.settings.exposure.into())
 }
 
-/// Traces a ray, adds what it brings back, and sends the one on its way that
-/// follows; false if none does.
-#[inline(never)]
-fn visit<'s>(
-    scene: &PreparedScene<'s>,
-    surface: &mut Surface<'s>,
-    kin: &mut Kin,
-    stack: &mut Stack,
-    part: &mut Part,
-    radiance: &mut Color<Radiance>,
-    observer: &mut impl Observer,
-) -> bool {
-    observer.ray(kin.kind);
-    let Some(hit) = intersect::nearest(scene, surface.ray(), part, observer) else {
-        let background = background(&scene.settings, surface.ray().direction.y);
-        tell(observer, scene, None, *kin, background);
-        *radiance = radiance.plus(kin.weight.weigh(background));
-        return false;
-    };
-    surface.meet(scene, hit, part);
-    let mut local = Color::<Radiance>::BLACK;
-    surface.local(scene, &mut local, observer);
-    tell(observer, scene, Some(surface), *kin, local);
-    // Most of what is glass is.
-    if local != Color::<Radiance>::BLACK {
-        *radiance = radiance.plus(kin.weight.weigh(local));
+/// A walk through the tree of rays: where it is, and what it found.
+struct Walk<'s> {
+    surface: Surface<'s>,
+    kin: Kin,
+    radiance: Color<Radiance>,
+}
+
+impl<'s> Walk<'s> {
+    /// Adds what all the rays bring back that go on from where the eye ray hit.
+    #[inline(always)]
+    fn climb(
+        &mut self,
+        scene: &PreparedScene<'s>,
+        scratch: &mut Scratch,
+        observer: &mut impl Observer,
+    ) {
+        let mut goes_on = self.follow(&scene.settings, &mut scratch.stack);
+        for _ in 1..RAY_BUDGET {
+            if !goes_on {
+                let Some(next) = scratch.stack.pop() else {
+                    return;
+                };
+                self.surface.follow(next.ray);
+                self.kin = next.kin;
+            }
+            goes_on = self.visit(scene, scratch, observer);
+        }
+        scratch.stack.clear();
     }
-    surface.branches()
-        && kin.generation < scene.settings.max_depth
-        && follow(surface, kin, &scene.settings, stack)
+
+    /// Traces a ray, adds what it brings back, and sends the one on its way that
+    /// follows; false if none does.
+    #[inline(never)]
+    fn visit(
+        &mut self,
+        scene: &PreparedScene<'s>,
+        Scratch { stack, part }: &mut Scratch,
+        observer: &mut impl Observer,
+    ) -> bool {
+        let Self {
+            surface,
+            kin,
+            radiance,
+        } = self;
+        observer.ray(kin.kind);
+        let Some(hit) = intersect::nearest(scene, surface.ray(), part, observer) else {
+            let background = background(&scene.settings, surface.ray().direction.y);
+            tell(observer, scene, None, *kin, background);
+            *radiance = radiance.plus(kin.weight.weigh(background));
+            return false;
+        };
+        surface.meet(scene, hit, part);
+        let mut local = Color::<Radiance>::BLACK;
+        surface.local(scene, &mut local, observer);
+        tell(observer, scene, Some(surface), *kin, local);
+        // Most of what is glass is.
+        if local != Color::<Radiance>::BLACK {
+            *radiance = radiance.plus(kin.weight.weigh(local));
+        }
+        surface.branches()
+            && kin.generation < scene.settings.max_depth
+            && self.follow(&scene.settings, stack)
+    }
+
+    /// Sends the ray on its way that follows from a hit, and puts off what else
+    /// follows; false if nothing does.
+    #[inline(always)]
+    fn follow(&mut self, settings: &Settings, stack: &mut Stack) -> bool {
+        let Self { surface, kin, .. } = self;
+        let Shares {
+            mirrored,
+            transmitted,
+        } = surface.shares();
+        let through = transmitted.and_then(|(share, direction)| {
+            let kin = kin.child(share, RayKind::Transmitted, settings)?;
+            let ray = surface.transmitted(direction);
+            Some(Branch { ray, kin })
+        });
+        let reflected = kin.child(mirrored, RayKind::Reflected, settings);
+        match (through, reflected) {
+            (None, None) => return false,
+            (Some(through), None) => {
+                surface.follow(through.ray);
+                *kin = through.kin;
+            }
+            (through, Some(reflected)) => {
+                if let Some(through) = through {
+                    // There is room, as said above; no branch is lost.
+                    let _ = stack.push(through);
+                }
+                surface.reflect();
+                *kin = reflected;
+            }
+        }
+        true
+    }
 }
 
 /// Tells of a node of the tree.
@@ -184,43 +238,6 @@ fn tell(
         inside: surface.is_some_and(Surface::inside),
         local: local.brightened(scene.settings.exposure.into()),
     });
-}
-
-/// Sends the ray on its way that follows from a hit, and puts off what else
-/// follows; false if nothing does.
-#[inline(always)]
-fn follow(
-    surface: &mut Surface<'_>,
-    kin: &mut Kin,
-    settings: &Settings,
-    stack: &mut Stack,
-) -> bool {
-    let Shares {
-        mirrored,
-        transmitted,
-    } = surface.shares();
-    let through = transmitted.and_then(|(share, direction)| {
-        let kin = kin.child(share, RayKind::Transmitted, settings)?;
-        let ray = surface.transmitted(direction);
-        Some(Branch { ray, kin })
-    });
-    let reflected = kin.child(mirrored, RayKind::Reflected, settings);
-    match (through, reflected) {
-        (None, None) => return false,
-        (Some(through), None) => {
-            surface.follow(through.ray);
-            *kin = through.kin;
-        }
-        (through, Some(reflected)) => {
-            if let Some(through) = through {
-                // There is room, as said above; no branch is lost.
-                let _ = stack.push(through);
-            }
-            surface.reflect();
-            *kin = reflected;
-        }
-    }
-    true
 }
 
 /// What a ray that hits nothing brings back.
