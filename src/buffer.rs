@@ -100,7 +100,10 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize>
             },
             finite: &self.finite,
             endless: &self.endless,
-            settings,
+            settings: Settings {
+                is_opaque: self.materials.iter().all(|material| material.kt.is_black()),
+                ..settings
+            },
             objects: &self.objects,
             lights: &self.lights,
             materials: &self.materials,

@@ -61,6 +61,7 @@ pub(crate) fn prepare(scene: &Scene<'_>, room: &mut impl Room) -> Result<Setting
         exposure,
         max_depth: scene.max_depth,
         min_weight: factor(scene.min_weight, 0),
+        is_opaque: false,
     })
 }
 

@@ -78,6 +78,8 @@ pub(crate) struct Settings {
     pub(crate) exposure: u8,
     pub(crate) max_depth: u8,
     pub(crate) min_weight: Factor,
+    /// Whether no material lets light through: derived.
+    pub(crate) is_opaque: bool,
 }
 
 impl Settings {
@@ -94,6 +96,7 @@ impl Settings {
             exposure: 0,
             max_depth: 0,
             min_weight: Factor::ZERO,
+            is_opaque: false,
         }
     }
 }

@@ -2,17 +2,18 @@
 
 use crate::camera::{Columns, Line, View};
 use crate::coverage::Coverage;
+use crate::intersect::Part;
 use crate::num::Radiance;
 use crate::observer::Observer;
 use crate::ray::Ray;
-use crate::tracer::{Scratch, trace};
+use crate::tracer::trace;
 use crate::{Color, PreparedScene};
 
 /// A scene, and what tracing the pixels of views of it takes.
 #[derive(Clone, Debug)]
 pub(crate) struct Raster<'s> {
     scene: &'s PreparedScene<'s>,
-    scratch: Scratch,
+    part: Part,
     coverage: Coverage,
 }
 
@@ -20,7 +21,7 @@ impl<'s> Raster<'s> {
     pub(crate) fn new(scene: &'s PreparedScene<'s>) -> Self {
         Self {
             scene,
-            scratch: Scratch::default(),
+            part: Part::default(),
             coverage: Coverage::default(),
         }
     }
@@ -43,7 +44,7 @@ impl<'s> Raster<'s> {
             spacing: columns.spacing,
             scene: self.scene,
             coverage: &mut self.coverage,
-            scratch: &mut self.scratch,
+            part: &mut self.part,
             observer,
         }
     }
@@ -76,7 +77,7 @@ pub(crate) struct Pixels<'r, O> {
     spacing: u8,
     scene: &'r PreparedScene<'r>,
     coverage: &'r mut Coverage,
-    scratch: &'r mut Scratch,
+    part: &'r mut Part,
     pub(crate) observer: &'r mut O,
 }
 
@@ -98,13 +99,7 @@ impl<O: Observer> Iterator for Pixels<'_, O> {
         let x = self.x;
         self.x += 1 << self.spacing;
         let candidates = self.coverage.at(x);
-        let color = trace(
-            self.scene,
-            &self.ray,
-            candidates,
-            self.scratch,
-            self.observer,
-        );
+        let color = trace(self.scene, &self.ray, candidates, self.part, self.observer);
         Some((x, color))
     }
 

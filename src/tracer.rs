@@ -1,6 +1,6 @@
 //! The tree of rays of a pixel (Whitted 1980), walked by an explicit stack.
 
-use heapless::Vec;
+use heapless::{Vec, VecView};
 
 use crate::Color;
 use crate::coverage::Candidates;
@@ -54,16 +54,9 @@ impl Kin {
     }
 }
 
-/// What tracing a pixel writes to.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Scratch {
-    stack: Stack,
-    part: Part,
-}
-
 /// Branches put off: a transmitted ray waits while the reflected one beside
 /// it is followed, so there is at most one for each generation.
-type Stack = Vec<Branch, { MAX_DEPTH as usize }>;
+type Waiting = Vec<Branch, { MAX_DEPTH as usize }>;
 
 /// The radiance that an eye ray brings back, of which candidates are known. Its
 /// direction is below 2 in length and made a unit vector if need be: planes and what
@@ -75,7 +68,7 @@ pub(crate) fn trace(
     scene: &PreparedScene<'_>,
     ray: &Ray,
     candidates: Candidates<'_>,
-    scratch: &mut Scratch,
+    part: &mut Part,
     observer: &mut impl Observer,
 ) -> Color<Radiance> {
     observer.ray(RayKind::Eye);
@@ -87,7 +80,7 @@ pub(crate) fn trace(
     if !candidates.are_flat {
         walk.surface.make_unit();
     }
-    let (ray, part) = (walk.surface.ray(), &mut scratch.part);
+    let ray = walk.surface.ray();
     let hit = match candidates.objects {
         Some([]) => None,
         Some(objects) => intersect::nearest_of(objects, scene, ray, part, observer),
@@ -107,7 +100,11 @@ pub(crate) fn trace(
             walk.radiance,
         );
         if walk.surface.branches() && scene.settings.max_depth > 0 {
-            walk.climb(scene, scratch, observer);
+            if scene.settings.is_opaque {
+                walk.climb(scene, &mut Vec::<Branch, 0>::new(), part, observer);
+            } else {
+                walk.climb_through_glass(scene, part, observer);
+            }
         }
     } else {
         if candidates.are_flat && scene.settings.is_gradient {
@@ -131,25 +128,36 @@ struct Walk<'s> {
 
 impl<'s> Walk<'s> {
     /// Adds what all the rays bring back that go on from where the eye ray hit.
-    #[inline(always)]
+    #[inline(never)]
     fn climb(
         &mut self,
         scene: &PreparedScene<'s>,
-        scratch: &mut Scratch,
+        waiting: &mut VecView<Branch>,
+        part: &mut Part,
         observer: &mut impl Observer,
     ) {
-        let mut goes_on = self.follow(&scene.settings, &mut scratch.stack);
+        let mut goes_on = self.follow(&scene.settings, waiting);
         for _ in 1..RAY_BUDGET {
             if !goes_on {
-                let Some(next) = scratch.stack.pop() else {
+                let Some(next) = waiting.pop() else {
                     return;
                 };
                 self.surface.follow(next.ray);
                 self.kin = next.kin;
             }
-            goes_on = self.visit(scene, scratch, observer);
+            goes_on = self.visit(scene, waiting, part, observer);
         }
-        scratch.stack.clear();
+    }
+
+    /// The same where rays may have to wait, which takes 1.6 KB of stack.
+    #[inline(never)]
+    fn climb_through_glass(
+        &mut self,
+        scene: &PreparedScene<'s>,
+        part: &mut Part,
+        observer: &mut impl Observer,
+    ) {
+        self.climb(scene, &mut Waiting::new(), part, observer);
     }
 
     /// Traces a ray, adds what it brings back, and sends the one on its way that
@@ -158,7 +166,8 @@ impl<'s> Walk<'s> {
     fn visit(
         &mut self,
         scene: &PreparedScene<'s>,
-        Scratch { stack, part }: &mut Scratch,
+        waiting: &mut VecView<Branch>,
+        part: &mut Part,
         observer: &mut impl Observer,
     ) -> bool {
         let Self {
@@ -183,13 +192,13 @@ impl<'s> Walk<'s> {
         }
         surface.branches()
             && kin.generation < scene.settings.max_depth
-            && self.follow(&scene.settings, stack)
+            && self.follow(&scene.settings, waiting)
     }
 
     /// Sends the ray on its way that follows from a hit, and puts off what else
     /// follows; false if nothing does.
     #[inline(always)]
-    fn follow(&mut self, settings: &Settings, stack: &mut Stack) -> bool {
+    fn follow(&mut self, settings: &Settings, waiting: &mut VecView<Branch>) -> bool {
         let Self { surface, kin, .. } = self;
         let Shares {
             mirrored,
@@ -210,7 +219,7 @@ impl<'s> Walk<'s> {
             (through, Some(reflected)) => {
                 if let Some(through) = through {
                     // There is room, as said above; no branch is lost.
-                    let _ = stack.push(through);
+                    let _ = waiting.push(through);
                 }
                 surface.reflect();
                 *kin = reflected;
