@@ -10,7 +10,7 @@ use cortex_m::peripheral::Peripherals;
 use cortex_m_rt::entry;
 use measure::{Report, Stopwatch};
 use mps2::{Blind, Job};
-use whitted::{DecodeError, Renderer, SceneBuffer};
+use whitted::{PreparedScene, Renderer, SceneBuffer};
 
 #[cfg(not(feature = "crowd"))]
 type Buffer = SceneBuffer<64, 8, 64>;
@@ -18,16 +18,22 @@ type Buffer = SceneBuffer<64, 8, 64>;
 type Buffer = SceneBuffer<256, 1, 1>;
 type File = [u8; 16 * 1024];
 
+/// What keeps its size is static, so that the stack holds calls alone.
 #[entry]
 fn main() -> ! {
     static mut BUFFER: Buffer = SceneBuffer::new();
+    static mut SCENE: Option<PreparedScene<'static>> = None;
+    static mut RENDERER: Option<Renderer<'static>> = None;
     static mut FILE: File = [0; size_of::<File>()];
 
     match (Job::read(FILE), Peripherals::take()) {
         (Ok(job), Some(core)) => {
-            let stopwatch = Stopwatch::new(core.SYST, mps2::NANOSECONDS_PER_CLOCK);
-            match draw(BUFFER, &job, stopwatch) {
-                Ok(report) => {
+            let mut stopwatch = Stopwatch::new(core.SYST, mps2::NANOSECONDS_PER_CLOCK);
+            match BUFFER.decode(job.file) {
+                Ok(scene) => {
+                    let renderer = RENDERER.insert(Renderer::new(SCENE.insert(scene), job.size));
+                    let display = &mut Blind::new(job.size);
+                    let Ok(report) = measure::draw(renderer, display, &mut stopwatch);
                     mps2::print(format_args!("{report}file: {}\n", size_of::<File>()));
                 }
                 Err(error) => mps2::print(format_args!("error: {error}\n")),
@@ -37,17 +43,6 @@ fn main() -> ! {
         (_, None) => mps2::print("error: no peripherals\n"),
     }
     mps2::exit();
-}
-
-fn draw(
-    buffer: &mut Buffer,
-    job: &Job<'_>,
-    mut stopwatch: Stopwatch,
-) -> Result<Report, DecodeError> {
-    let scene = buffer.decode(job.file)?;
-    let mut renderer = Renderer::new(&scene, job.size);
-    let Ok(report) = measure::draw(&mut renderer, &mut Blind::new(job.size), &mut stopwatch);
-    Ok(report)
 }
 
 #[panic_handler]
