@@ -26,15 +26,16 @@ pub(crate) fn refracted(
     cosine: Unit,
     eta: Length,
 ) -> Option<Vec3<Unit>> {
-    // sin² = 1 - c²: Q60 -> Q31; η²: I8F56 -> U5F27; their product: Q58
-    let sine_squared = ((1 << 60) - cosine.square().to_bits()).max(0) >> 29;
-    let eta_squared = eta.square().to_bits() >> 29;
-    let k = (1 << 58) - wide(sine_squared as u32, eta_squared as u32) as i64;
+    // sin² = 1 - c²: Q60 -> U0F32; η²: I8F56 -> U5F27; their product: Q59
+    let sine_squared = ((1 << 60) - cosine.square().to_bits()).max(0) >> 28;
+    let sine_squared = sine_squared.min(u32::MAX.into()) as u32;
+    let eta_squared = (eta.square().to_bits() >> 29) as u32;
+    let k = (1 << 59) - wide(sine_squared, eta_squared) as i64;
     if k < 0 {
         return None;
     }
-    // Q58 -> Q56, whose root is in Q28; η c: I4F28 * I2F30 -> Q28
-    let root = inverse_length((k >> 2) as u64).length() as i32;
+    // Q59 -> Q56, whose root is in Q28; η c: I4F28 * I2F30 -> Q28
+    let root = inverse_length((k >> 3) as u64).length() as i32;
     let along = ((eta.product(cosine).to_bits() + (1 << 29)) >> 30) as i32 - root;
     let direction = view.zip(normal, |v, n| {
         let sum = eta.product(v).to_bits() + along.product(n.to_bits());

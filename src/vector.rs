@@ -195,7 +195,7 @@ impl Vec3<Unit> {
     #[inline]
     pub(crate) fn renormalized(self) -> Self {
         // Q60 -> Q30, a word of few bits
-        let square = (self.dot(self).to_bits() >> 30) as i32;
+        let square = (((self.dot(self).to_bits() >> 29) as u32).wrapping_add(1) >> 1) as i32;
         let excess = (1_i32 << 30).wrapping_sub(square);
         self.map(|c| {
             let step = (c.to_bits() >> 16)
