@@ -1,7 +1,7 @@
 //! Linear colors, and the products of the formats that tracing uses.
 
 use crate::Real;
-use crate::num::{Factor, Radiance, middle};
+use crate::num::{Factor, Radiance, Weight, middle, wide};
 
 /// A linear color: red, green, blue.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -83,13 +83,24 @@ impl Color<Factor> {
             Radiance::from_bits(u32::from(coefficient.to_bits()) * light)
         })
     }
+}
 
-    /// `weight * radiance`: `U1F15 * U2F30 -> U2F30`.
+impl Color<Weight> {
+    pub(crate) const ALL: Self = Self::new(Weight::MAX, Weight::MAX, Weight::MAX);
+
+    /// The weight of what has a share in it: `U0F32 * U1F15 -> U0F32`.
+    #[inline(always)]
+    pub(crate) fn shared(self, share: Color<Factor>) -> Self {
+        self.zip(share, |weight, share| {
+            Weight::from_bits(middle(weight.to_bits(), u32::from(share.to_bits()) << 1))
+        })
+    }
+
+    /// `weight * radiance`: `U0F32 * U2F30 -> U2F30`.
     #[inline(always)]
     pub(crate) fn weigh(self, radiance: Color<Radiance>) -> Color<Radiance> {
         self.zip(radiance, |weight, radiance| {
-            // * 2^-15
-            Radiance::from_bits(middle(u32::from(weight.to_bits()) << 1, radiance.to_bits()))
+            Radiance::from_bits((wide(weight.to_bits(), radiance.to_bits()) >> 32) as u32)
         })
     }
 }

@@ -5,7 +5,8 @@
 //! | [`Real`] | authored numbers | ±2^31 | 2^-32 |
 //! | [`Length`] | positions and distances of a prepared scene | ±8 | 2^-28 |
 //! | [`Unit`] | components of unit vectors, cosines | ±2 | 2^-30 |
-//! | [`Factor`] | coefficients, weights, light colors | 0 to 1 | 2^-15 |
+//! | [`Factor`] | coefficients, light colors | 0 to 1 | 2^-15 |
+//! | [`Weight`] | shares of rays in a pixel | 0 to 1 | 2^-32 |
 //! | [`Radiance`] | what comes back along a ray | 0 to 4 | 2^-30 |
 //!
 //! No operation divides: the M0+ has no divider. A reciprocal and a reciprocal
@@ -31,10 +32,16 @@ pub(crate) type Length = fixed::types::I4F28;
 /// A component of a unit vector or a cosine: ±2 in steps of 2^-30.
 pub(crate) type Unit = fixed::types::I2F30;
 
-/// A coefficient, a weight or the color of a light: 0 to 1 in steps of 2^-15.
+/// A coefficient or the color of a light: 0 to 1 in steps of 2^-15.
 ///
 /// Sixteen bits, so that the product of two fits a 32-bit multiply.
 pub(crate) type Factor = fixed::types::U1F15;
+
+/// How much of what a ray brings back reaches the eye: 0 to 1 in steps of 2^-32, the last
+/// of which stands for 1 itself.
+///
+/// The upper word of its product with a radiance is a radiance.
+pub(crate) type Weight = fixed::types::U0F32;
 
 /// Linear radiance of one channel: 0 to just below 4 in steps of 2^-30,
 /// saturating. White is 1.

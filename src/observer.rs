@@ -1,6 +1,6 @@
 //! Watching rays without paying for it when nobody does.
 
-use crate::num::{Factor, Radiance};
+use crate::num::{Factor, Radiance, Weight};
 use crate::{Color, Real};
 
 /// What kind of ray is traced.
@@ -109,6 +109,11 @@ pub struct Node {
 /// A factor as a number that users know.
 pub(crate) fn share(color: Color<Factor>) -> Color<Real> {
     color.map(Real::from_num)
+}
+
+/// The same of a weight.
+pub(crate) fn weight(weight: Color<Weight>) -> Color<Real> {
+    weight.map(|weight| Real::from_bits((i64::from(weight.to_bits()) + 1) >> 1 << 1))
 }
 
 impl Observer for () {}

@@ -5,8 +5,8 @@ use heapless::{Vec, VecView};
 use crate::Color;
 use crate::coverage::Candidates;
 use crate::intersect::{self, Part};
-use crate::num::{Factor, Product, Radiance, Unit};
-use crate::observer::{Node, Observer, RayKind, share};
+use crate::num::{Factor, Product, Radiance, Unit, Weight};
+use crate::observer::{Node, Observer, RayKind, weight};
 use crate::prepared::{MAX_DEPTH, PreparedScene, Settings};
 use crate::ray::Ray;
 use crate::shade::{Shares, Surface};
@@ -28,14 +28,14 @@ struct Branch {
 #[derive(Clone, Copy, Debug)]
 struct Kin {
     /// How much of what it brings back reaches the eye.
-    weight: Color<Factor>,
+    weight: Color<Weight>,
     generation: u8,
     kind: RayKind,
 }
 
 impl Kin {
     const EYE: Self = Self {
-        weight: Color::WHITE,
+        weight: Color::<Weight>::ALL,
         generation: 0,
         kind: RayKind::Eye,
     };
@@ -43,9 +43,10 @@ impl Kin {
     /// A ray that follows with a share of the weight, if that counts.
     #[inline(always)]
     fn child(&self, share: Color<Factor>, kind: RayKind, settings: &Settings) -> Option<Self> {
-        let weight = self.weight.filtered(share);
-        let too_little = settings.min_weight.saturating_sub(Factor::DELTA);
-        let counts = !weight.all(|w| w <= too_little);
+        let weight = self.weight.shared(share);
+        let too_little =
+            u32::from(settings.min_weight.saturating_sub(Factor::DELTA).to_bits()) << 15;
+        let counts = !weight.all(|w| w.to_bits() <= too_little);
         counts.then_some(Self {
             weight,
             generation: self.generation + 1,
@@ -241,7 +242,7 @@ fn tell(
     observer.node(&Node {
         kind: kin.kind,
         generation: kin.generation,
-        weight: share(kin.weight),
+        weight: weight(kin.weight),
         object: surface.map(Surface::object),
         material: surface.map(|surface| surface.material(scene)),
         inside: surface.is_some_and(Surface::inside),
