@@ -114,3 +114,49 @@ fn may_part(endless: &Shape, point: Vec3<Length>, bound: &Bound) -> bool {
         _ => true,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Color;
+    use crate::num::{Factor, Unit};
+    use crate::shape::{Plane, Sphere};
+
+    const OPAQUE: u16 = 0;
+    const GLASS: u16 = 1;
+
+    fn sphere(x: f64, material: u16) -> Object {
+        let center = Vec3::new(Length::from_num(x), Length::ZERO, Length::ZERO);
+        let sphere = Sphere::new(center, Length::lit("0.25"));
+        Object::new(Shape::Sphere(sphere), Texture::Uniform(material))
+    }
+
+    fn floor(y: f64) -> Object {
+        let up = Vec3::new(Unit::ZERO, Unit::ONE, Unit::ZERO);
+        let offset = Length::from_num(y).to_bits().into();
+        let plane = Shape::Plane(Plane::new(up, offset, None));
+        Object::new(plane, Texture::Uniform(OPAQUE))
+    }
+
+    /// Which objects are alone.
+    fn alone<const N: usize>(mut objects: [Object; N]) -> [bool; N] {
+        let glass = Material {
+            kt: Color::new(Factor::ZERO, Factor::ZERO, Factor::DELTA),
+            ..Material::default()
+        };
+        seclude(&mut objects, &[Material::default(), glass]);
+        objects.map(|object| object.nature.is(Nature::ALONE))
+    }
+
+    #[test]
+    fn glass_is_alone_where_nothing_reaches_into_it() {
+        let (left, right) = (sphere(-0.25, GLASS), sphere(0.251, GLASS));
+        assert_eq!(alone([left, right, floor(0.251)]), [true, true, false]);
+        // Touching, one within the other, cut, and opaque.
+        assert_eq!(alone([left, sphere(0.25, GLASS)]), [false, false]);
+        assert_eq!(alone([left, sphere(-0.25, OPAQUE)]), [false, false]);
+        assert_eq!(alone([left, floor(0.25)]), [false, false]);
+        assert_eq!(alone([left, floor(-0.1)]), [false, false]);
+        assert_eq!(alone([sphere(0.0, OPAQUE)]), [false]);
+    }
+}

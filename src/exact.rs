@@ -10,9 +10,9 @@ extern crate std;
 
 use std::println;
 
-use crate::num::{Factor, Length, Product, Radiance, Square, Unit, wide};
+use crate::num::{Factor, Length, Product, Radiance, Square, Unit, Weight, wide};
 use crate::vector::{round_length, round_unit};
-use crate::{Color, Vec3, color};
+use crate::{Color, Real, Vec3, color, observer};
 
 /// Miri takes a thousand times as long for each.
 const CASES: u32 = if cfg!(miri) { 200 } else { 1_000_000 };
@@ -183,20 +183,38 @@ fn products_of_factors() {
 #[test]
 fn radiances() {
     each("radiances", |random| {
-        let (weight, a, b) = (random.factors(), random.radiance(), random.radiance());
+        let (a, b) = (random.radiance(), random.radiance());
         let exponent = random.within(0, 15) as u32;
         let bits = |c: Color<Radiance>| channels(c.map(Radiance::to_bits));
         let most = i128::from(u32::MAX);
         let (plus, brightened) = (bits(a.plus(b)), bits(a.brightened(exponent)));
-        let weighed = bits(weight.weigh(a));
         (0..3).all(|i| {
             let (a, b) = (bits(a)[i], bits(b)[i]);
-            let weight = channels(weight.map(Factor::to_bits))[i];
-            // Rounded down to 2^-15 first, unless it is white's all.
-            let error = a * weight - (weighed[i] << 15);
-            plus[i] == (a + b).min(most)
-                && brightened[i] == (a << exponent).min(most)
-                && (0..=1 << 30).contains(&error)
+            plus[i] == (a + b).min(most) && brightened[i] == (a << exponent).min(most)
         })
     });
+}
+
+#[test]
+fn weights() {
+    each("weights", |random| {
+        let (radiance, share) = (random.radiance(), random.factors());
+        let weight = random.radiance().map(|c| Weight::from_bits(c.to_bits()));
+        let bits = |c: Color<Weight>| channels(c.map(Weight::to_bits));
+        let weighed = channels(weight.weigh(radiance).map(Radiance::to_bits));
+        let shared = bits(weight.shared(share));
+        (0..3).all(|i| {
+            let radiance = channels(radiance.map(Radiance::to_bits))[i];
+            let share = channels(share.map(Factor::to_bits))[i];
+            let weight = bits(weight)[i];
+            weighed[i] == (weight * radiance) >> 32 && shared[i] == (weight * share) >> 15
+        })
+    });
+    let all = Color::<Weight>::ALL;
+    assert_eq!(observer::weight(all), Color::gray(Real::ONE));
+    let half = Color::new(Factor::ONE / 2, Factor::ONE / 2, Factor::ONE / 2);
+    assert_eq!(
+        observer::weight(all.shared(half)),
+        Color::gray(Real::ONE / 2)
+    );
 }

@@ -430,6 +430,22 @@ mod tests {
     }
 
     #[test]
+    fn cosines_hold_their_bound() {
+        let cases = words().zip(words().skip(9)).zip(words().skip(5));
+        let cosines = cases.map(|((high, low), part)| {
+            // The square of a length below 8, and how much of that is along.
+            let square = (u64::from(high) << 32 | u64::from(low)) >> (2 + (part & 31));
+            let length = (square as f64).sqrt();
+            let share = f64::from(part as i32) / 2_f64.powi(31);
+            let along = (share * length * 2_f64.powi(30)) as i64;
+            let exact = along as f64 / length.max(1.0);
+            let cosine = inverse_length(square).cosine(along);
+            (f64::from(cosine.to_bits()) - exact) / 4.0
+        });
+        hold("cosine", cosines);
+    }
+
+    #[test]
     fn powers_hold_their_bound() {
         let cases = words().zip(words().skip(7)).take(100_000);
         let cases = cases.flat_map(|(base, exponent)| {

@@ -324,3 +324,78 @@ pub(crate) struct Shares {
 fn factor(cosine: Unit) -> Factor {
     Factor::from_bits((((cosine.to_bits() + (1 << 14)) >> 15) as u16).min(1 << 15))
 }
+
+#[cfg(test)]
+mod tests {
+    use fastrand::Rng;
+
+    use super::*;
+    use crate::num::Length;
+    use crate::ray::Point;
+    use crate::vector::direction;
+
+    fn vector(random: &mut Rng, reach: f64) -> Vec3<Length> {
+        let mut c = || Length::from_num((2.0 * random.f64() - 1.0) * reach);
+        Vec3::new(c(), c(), c())
+    }
+
+    /// Lights from where a highlight is brightest to where it vanishes, near and far away.
+    #[test]
+    fn no_highlight_that_can_be_seen_is_passed_over() {
+        let random = &mut Rng::with_seed(1);
+        let (mut seen, mut passed) = (0, 0);
+        for _ in 0..if cfg!(miri) { 100 } else { 100_000 } {
+            let shininess = 2_f64.powf(12.0 * random.f64());
+            let material = Material {
+                ks: Color::WHITE,
+                shininess: (shininess * 65_536.0) as u32,
+                ..Material::default()
+            };
+            let material = material.complete();
+            let mut unit = || direction(vector(random, 1.0).map(|c| c.to_bits().into()));
+            let (Some(view), Some(normal)) = (unit(), unit()) else {
+                continue;
+            };
+            let cosine = view.cosine(normal);
+            let normal = if cosine > 0 { -normal } else { normal };
+            let cosine = cosine.abs();
+            let ray = Ray {
+                origin: Point::near(vector(random, 1.0)),
+                direction: view,
+                start: Start::NOWHERE,
+            };
+            let surface = Surface {
+                ray,
+                normal,
+                cosine,
+                material: &material,
+            };
+            let mirrored = optics::mirrored(view, normal, cosine);
+            let distance = Length::from_num(2_f64.powf(-12.0 * random.f64()));
+            let aside = vector(random, 4.0 * distance.to_num::<f64>() / shininess.sqrt());
+            let light = Light {
+                position: ray.origin.coordinates + mirrored.times(distance) + aside,
+                ..Light::default()
+            };
+            let way = ray.origin.to(light.position);
+            let along = way.along(normal).to_bits();
+            if along <= 0 {
+                continue;
+            }
+            let inverse = inverse_length(way.squared().to_bits() as u64);
+            let across = inverse.cosine(way.along(view).to_bits());
+            let highlight = surface.highlight(across, inverse.cosine(along), &mut ());
+            let may_shine = surface.may_shine(&light);
+            assert!(
+                highlight == Factor::ZERO || may_shine,
+                "{surface:?} {light:?}"
+            );
+            seen += i32::from(highlight != Factor::ZERO);
+            passed += i32::from(!may_shine);
+        }
+        assert!(
+            seen > passed && 20 * passed > seen,
+            "{seen} seen, {passed} not"
+        );
+    }
+}

@@ -232,7 +232,94 @@ impl Plane {
 
 #[cfg(test)]
 mod tests {
+    use fastrand::Rng;
+
     use super::*;
+    use crate::num::NEAR_LIMIT;
+    use crate::ray::Start;
+    use crate::vector::direction;
+
+    fn vector(random: &mut Rng, reach: f64) -> Vec3<Length> {
+        let mut c = || Length::from_num((2.0 * random.f64() - 1.0) * reach);
+        Vec3::new(c(), c(), c())
+    }
+
+    /// It is met where any other is, wherever the ray comes from.
+    #[test]
+    fn a_plane_that_is_near_is_met_without_regard_to_what_is_far() {
+        let random = &mut Rng::with_seed(1);
+        let (mut met, mut passed) = (0, 0);
+        for _ in 0..if cfg!(miri) { 300 } else { 300_000 } {
+            let (a, b) = (vector(random, 1.0), vector(random, 3.4));
+            let mut bounds = Bounds {
+                low: a.zip(b, Length::min),
+                high: a.zip(b, Length::max),
+            };
+            let mut normal = random.choice([[0, 1, 0], [1, 0, 0], [0, 0, -1], [3, 4, 5]]);
+            if let Some([0, 1, 0]) = normal {
+                (bounds.low.y, bounds.high.y) = (Length::MIN, Length::MAX);
+            }
+            let [x, y, z] = normal.take().unwrap_or_default();
+            let Some(normal) = direction(Vec3::new(x, y, z).map(|c: i64| c << 20)) else {
+                continue;
+            };
+            let offset = i64::from(Length::from_num(3.0 * random.f64() - 1.5).to_bits());
+            let near = Plane::new(normal, offset, Some(bounds));
+            assert!(near.is_near);
+            let any = Plane {
+                is_near: false,
+                ..near
+            };
+            // Towards somewhere between, and not of unit length, as an eye ray.
+            let origin = vector(random, 3.4);
+            let share = Length::from_num(random.f64());
+            let mut to = a.zip(b, |a, b| a + (b - a) * share);
+            if bounds.low.y == Length::MIN {
+                to.y = Length::from_bits(offset as i32);
+            }
+            let direction = (to - origin).map(|c| Unit::from_bits(c.to_bits() >> 1));
+            let ray = Ray {
+                origin: Point::near(origin),
+                direction,
+                start: Start::NOWHERE,
+            };
+            let expected = any.distance(&ray, NEAR_LIMIT);
+            let expected = expected.filter(|distance| *distance < NEAR_LIMIT);
+            assert_eq!(
+                near.distance(&ray, NEAR_LIMIT),
+                expected,
+                "{near:?} {ray:?}"
+            );
+            met += i32::from(expected.is_some());
+            passed += i32::from(expected.is_none());
+        }
+        assert!(
+            20 * met > passed && passed > met,
+            "{met} met, {passed} passed by"
+        );
+    }
+
+    #[test]
+    fn an_endless_plane_is_not_near() {
+        let up = Vec3::new(Unit::ZERO, Unit::ONE, Unit::ZERO);
+        let one = Vec3::new(Length::ONE, Length::ONE, Length::ONE);
+        let bounds = Bounds {
+            low: -one,
+            high: one,
+        };
+        let open = |axis: fn(&mut Vec3<Length>) -> &mut Length| {
+            let mut bounds = bounds;
+            *axis(&mut bounds.high) = Length::MAX;
+            bounds
+        };
+        let is_near = |offset, bounds| Plane::new(up, offset, bounds).is_near;
+        assert!(is_near(0, Some(bounds)));
+        assert!(is_near(0, Some(open(|v| &mut v.y))));
+        assert!(!is_near(i64::from(NEAR), Some(open(|v| &mut v.y))));
+        assert!(!is_near(0, Some(open(|v| &mut v.x))));
+        assert!(!is_near(0, Some(open(|v| &mut v.z))));
+        assert!(!is_near(0, None));
+    }
 
     #[test]
     fn a_box_holds_a_step_more_than_what_is_between_its_ends() {
