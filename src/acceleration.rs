@@ -119,7 +119,7 @@ fn may_part(endless: &Shape, point: Vec3<Length>, bound: &Bound) -> bool {
 mod tests {
     use super::*;
     use crate::Color;
-    use crate::num::{Factor, Unit};
+    use crate::num::{Unit, Weight};
     use crate::shape::{Plane, Sphere};
 
     const OPAQUE: u16 = 0;
@@ -141,7 +141,7 @@ mod tests {
     /// Which objects are alone.
     fn alone<const N: usize>(mut objects: [Object; N]) -> [bool; N] {
         let glass = Material {
-            kt: Color::new(Factor::ZERO, Factor::ZERO, Factor::DELTA),
+            kt: Color::new(Weight::ZERO, Weight::ZERO, Weight::DELTA),
             ..Material::default()
         };
         seclude(&mut objects, &[Material::default(), glass]);

@@ -1,7 +1,7 @@
 //! Linear colors, and the products of the formats that tracing uses.
 
 use crate::Real;
-use crate::num::{Factor, Radiance, Weight, middle, wide};
+use crate::num::{Factor, Radiance, Weight, wide};
 
 /// A linear color: red, green, blue.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -87,13 +87,24 @@ impl Color<Factor> {
 
 impl Color<Weight> {
     pub(crate) const ALL: Self = Self::new(Weight::MAX, Weight::MAX, Weight::MAX);
+    pub(crate) const BLACK: Self = Self::new(Weight::ZERO, Weight::ZERO, Weight::ZERO);
 
-    /// The weight of what has a share in it: `U0F32 * U1F15 -> U0F32`.
     #[inline(always)]
-    pub(crate) fn shared(self, share: Color<Factor>) -> Self {
+    pub(crate) fn is_black(self) -> bool {
+        self.all(|c| c == Weight::ZERO)
+    }
+
+    /// The weight of what has a share in it: `U0F32 * U0F32 -> U0F32`.
+    #[inline(always)]
+    pub(crate) fn shared(self, share: Self) -> Self {
         self.zip(share, |weight, share| {
-            Weight::from_bits(middle(weight.to_bits(), u32::from(share.to_bits()) << 1))
+            Weight::from_bits((wide(weight.to_bits(), share.to_bits()) >> 32) as u32)
         })
+    }
+
+    /// As a filter of light: `U0F32 -> U1F15`, rounded.
+    pub(crate) fn narrowed(self) -> Color<Factor> {
+        self.map(|c| Factor::from_bits(((c.to_bits() >> 16).wrapping_add(1) >> 1) as u16))
     }
 
     /// `weight * radiance`: `U0F32 * U2F30 -> U2F30`.

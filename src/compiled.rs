@@ -22,7 +22,7 @@ use crate::{Crc32, DecodeError, Item};
 use archive::{Archive, Counter, Fields, Reader, Writer};
 
 const MAGIC: [u8; 4] = *b"WHTD";
-const VERSION: u8 = 2;
+const VERSION: u8 = 3;
 const CHECKSUM: usize = size_of::<u32>();
 
 /// What is before the lists.

@@ -198,21 +198,22 @@ fn radiances() {
 #[test]
 fn weights() {
     each("weights", |random| {
-        let (radiance, share) = (random.radiance(), random.factors());
-        let weight = random.radiance().map(|c| Weight::from_bits(c.to_bits()));
+        let radiance = random.radiance();
+        let mut weight = || random.radiance().map(|c| Weight::from_bits(c.to_bits()));
+        let (weight, share) = (weight(), weight());
         let bits = |c: Color<Weight>| channels(c.map(Weight::to_bits));
         let weighed = channels(weight.weigh(radiance).map(Radiance::to_bits));
         let shared = bits(weight.shared(share));
         (0..3).all(|i| {
             let radiance = channels(radiance.map(Radiance::to_bits))[i];
-            let share = channels(share.map(Factor::to_bits))[i];
-            let weight = bits(weight)[i];
-            weighed[i] == (weight * radiance) >> 32 && shared[i] == (weight * share) >> 15
+            let (weight, share) = (bits(weight)[i], bits(share)[i]);
+            weighed[i] == (weight * radiance) >> 32 && shared[i] == (weight * share) >> 32
         })
     });
     let all = Color::<Weight>::ALL;
     assert_eq!(observer::weight(all), Color::gray(Real::ONE));
-    let half = Color::new(Factor::ONE / 2, Factor::ONE / 2, Factor::ONE / 2);
+    let half = all.map(|c| c / 2);
+    assert_eq!(all.shared(all).narrowed(), Color::WHITE);
     assert_eq!(
         observer::weight(all.shared(half)),
         Color::gray(Real::ONE / 2)

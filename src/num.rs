@@ -56,6 +56,11 @@ pub(crate) fn factor(value: Real, exposure: u8) -> Factor {
     Factor::from_bits(((value.to_bits() + (1 << (shift - 1))) >> shift) as u16)
 }
 
+/// A number of 0 to 1 as a weight.
+pub(crate) fn weight(value: Real) -> Weight {
+    Weight::from_bits(u32::try_from(value.to_bits()).unwrap_or(u32::MAX))
+}
+
 /// A positive number as `mantissa * 2^exponent`, the mantissa's top bit set.
 ///
 /// The order is that of the numbers.

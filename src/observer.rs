@@ -113,7 +113,8 @@ pub(crate) fn share(color: Color<Factor>) -> Color<Real> {
 
 /// The same of a weight.
 pub(crate) fn weight(weight: Color<Weight>) -> Color<Real> {
-    weight.map(|weight| Real::from_bits((i64::from(weight.to_bits()) + 1) >> 1 << 1))
+    // The last step stands for 1.
+    weight.map(|weight| Real::from_bits((i64::from(weight.to_bits()) + 8) >> 4 << 4))
 }
 
 impl Observer for () {}

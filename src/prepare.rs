@@ -12,7 +12,7 @@ mod trigonometry;
 
 pub(crate) use check::{max_depth, min_weight};
 
-use crate::num::{Length, Radiance, factor, reciprocal};
+use crate::num::{Length, Radiance, factor, reciprocal, weight};
 use crate::prepared::{Camera, Frame, Light, Material, Object, Room, Settings};
 use crate::scene::{self, Background};
 use crate::texture::{Checker, Texture};
@@ -171,8 +171,8 @@ fn material(material: &scene::Material, scene: &Scene<'_>, exposure: u8) -> Mate
         glow,
         kd: coefficient(material.kd),
         ks: coefficient(material.ks),
-        kr: coefficient(material.kr),
-        kt: coefficient(material.kt),
+        kr: material.kr.map(weight),
+        kt: material.kt.map(weight),
         shininess: (shininess.to_bits() >> 16) as u32,
         ior: Length::from_bits(((ior.to_bits() + 8) >> 4) as i32),
         inverse_ior: Length::from_bits(inverse as i32),

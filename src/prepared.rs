@@ -6,7 +6,7 @@
 //! lights fit 0 to 1.
 
 use crate::error::Full;
-use crate::num::{Factor, Length, Radiance, Unit, power};
+use crate::num::{Factor, Length, Radiance, Unit, Weight, power};
 use crate::ray::{Nature, Point};
 use crate::shape::{Around, Plane, Shape, Sight};
 use crate::texture::Texture;
@@ -166,8 +166,8 @@ pub(crate) struct Material {
     pub(crate) glow: Color<Radiance>,
     pub(crate) kd: Color<Factor>,
     pub(crate) ks: Color<Factor>,
-    pub(crate) kr: Color<Factor>,
-    pub(crate) kt: Color<Factor>,
+    pub(crate) kr: Color<Weight>,
+    pub(crate) kt: Color<Weight>,
     /// `U16F16`, 1 to 4096.
     pub(crate) shininess: u32,
     /// Whether it mirrors light or lets it through: derived.
@@ -187,8 +187,8 @@ impl Material {
         glow: Color::<Radiance>::BLACK,
         kd: Color::<Factor>::BLACK,
         ks: Color::<Factor>::BLACK,
-        kr: Color::<Factor>::BLACK,
-        kt: Color::<Factor>::BLACK,
+        kr: Color::<Weight>::BLACK,
+        kt: Color::<Weight>::BLACK,
         shininess: 0,
         branches: false,
         dimmest: 0,
@@ -271,7 +271,7 @@ impl<'b> PreparedScene<'b> {
     /// What an object lets through at a point of its surface.
     #[inline(never)]
     pub(crate) fn transmitted(&self, object: &Object, point: Point) -> Color<Factor> {
-        self.material(object.texture.material(point)).kt
+        self.material(object.texture.material(point)).kt.narrowed()
     }
 }
 
@@ -286,6 +286,6 @@ mod tests {
         assert_eq!(size_of::<Around>(), 16);
         assert_eq!(size_of::<Sight>(), 12);
         assert_eq!(size_of::<Light>(), 28);
-        assert_eq!(size_of::<Material>(), 56);
+        assert_eq!(size_of::<Material>(), 68);
     }
 }

@@ -6,8 +6,8 @@ use core::ptr;
 
 use crate::intersect::{Hit, Part};
 use crate::num::{
-    Factor, Product, Radiance, Square, Unit, inverse_length, leading_zeros, power, reciprocal_root,
-    wide,
+    Factor, Product, Radiance, Square, Unit, Weight, inverse_length, leading_zeros, power,
+    reciprocal_root, wide,
 };
 use crate::observer::{Observer, share};
 use crate::prepared::{Light, Material, PreparedScene};
@@ -279,7 +279,7 @@ impl<'s> Surface<'s> {
         match direction {
             Some(direction) => shares.transmitted = Some((kt, direction)),
             // Total internal reflection: a perfect mirror.
-            None => shares.mirrored = Color::WHITE,
+            None => shares.mirrored = Color::<Weight>::ALL,
         }
         shares
     }
@@ -314,9 +314,9 @@ impl<'s> Surface<'s> {
 /// The share of each ray that goes on from a hit.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Shares {
-    pub(crate) mirrored: Color<Factor>,
+    pub(crate) mirrored: Color<Weight>,
     /// And where it goes, if there is one.
-    pub(crate) transmitted: Option<(Color<Factor>, Vec3<Unit>)>,
+    pub(crate) transmitted: Option<(Color<Weight>, Vec3<Unit>)>,
 }
 
 /// A cosine of 0 to 1 as a factor, rounded.

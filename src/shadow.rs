@@ -4,7 +4,7 @@
 //! way is known without a root and without the point where it is met. Only
 //! what lets light through, or is of a rarer shape, is looked at more closely.
 
-use crate::num::{Factor, InverseLength, Length, Scaled, Unit};
+use crate::num::{Factor, InverseLength, Length, Scaled, Unit, Weight};
 use crate::observer::{Observer, RayKind};
 use crate::prepared::{Light, Object, PreparedScene};
 use crate::ray::{Nature, Point, Ray, Start};
@@ -77,7 +77,7 @@ impl ShadowRay<'_> {
             Texture::Uniform(material) => Some(scene.material(material).kt),
             Texture::Checker(_) => None,
         };
-        let is_opaque = kt.is_some_and(Color::is_black);
+        let is_opaque = kt.is_some_and(Color::<Weight>::is_black);
         let crossings = self.crossings(object, is_start, is_opaque, observer);
         if crossings == Some(0) {
             observer.test(object.shape.kind(), false);
@@ -89,7 +89,10 @@ impl ShadowRay<'_> {
         }
         let before = left.unwrap_or(Color::WHITE);
         let rest = match (crossings, kt) {
-            (Some(crossings), Some(kt)) => (0..crossings).fold(before, |left, _| left.filtered(kt)),
+            (Some(crossings), Some(kt)) => {
+                let kt = kt.narrowed();
+                (0..crossings).fold(before, |left, _| left.filtered(kt))
+            }
             _ => filtered(scene, &self, object, is_start, before, observer),
         };
         observer.test(object.shape.kind(), rest != before);

@@ -42,7 +42,7 @@ impl Kin {
 
     /// A ray that follows with a share of the weight, if that counts.
     #[inline(always)]
-    fn child(&self, share: Color<Factor>, kind: RayKind, settings: &Settings) -> Option<Self> {
+    fn child(&self, share: Color<Weight>, kind: RayKind, settings: &Settings) -> Option<Self> {
         let weight = self.weight.shared(share);
         let too_little =
             u32::from(settings.min_weight.saturating_sub(Factor::DELTA).to_bits()) << 15;

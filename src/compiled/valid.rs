@@ -85,7 +85,7 @@ impl Light {
 
 impl Material {
     pub(super) fn is_valid(&self) -> bool {
-        are_factors([self.kd, self.ks, self.kr, self.kt])
+        are_factors([self.kd, self.ks])
             && (1 << 16..=4096 << 16).contains(&self.shininess)
             && (Length::ONE..=const { Length::lit("4") }).contains(&self.ior)
             && (Length::ONE / 4..=Length::ONE).contains(&self.inverse_ior)
