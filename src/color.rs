@@ -1,7 +1,7 @@
 //! Linear colors, and the products of the formats that tracing uses.
 
 use crate::Real;
-use crate::num::{Factor, Radiance, Weight, wide};
+use crate::num::{Factor, Intensity, Radiance, Weight, wide};
 
 /// A linear color: red, green, blue.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -75,12 +75,12 @@ impl Color<Factor> {
 
     /// `coefficient * intensity * color`: what a surface reflects of a light.
     ///
-    /// `U1F15 * U1F15 -> U1F15, * U1F15 -> U2F30`; never above 1.
+    /// `U1F15 * U16F16 -> Q16, * U1F15 -> Q31 -> U2F30`; never above 1.
     #[inline(always)]
-    pub(crate) fn reflect(self, intensity: Factor, light: Self) -> Color<Radiance> {
+    pub(crate) fn reflect(self, intensity: Intensity, light: Self) -> Color<Radiance> {
         self.zip(light, |coefficient, light| {
-            let light = u32::from(product(light, intensity).to_bits());
-            Radiance::from_bits(u32::from(coefficient.to_bits()) * light)
+            let light = (u32::from(light.to_bits()) * intensity.to_bits() + (1 << 14)) >> 15;
+            Radiance::from_bits((u32::from(coefficient.to_bits()) * light) >> 1)
         })
     }
 }

@@ -6,6 +6,7 @@
 //! | [`Length`] | positions and distances of a prepared scene | ±8 | 2^-28 |
 //! | [`Unit`] | components of unit vectors, cosines | ±2 | 2^-30 |
 //! | [`Factor`] | coefficients, light colors | 0 to 1 | 2^-15 |
+//! | [`Intensity`] | cosines and highlights, as light is shaded by them | 0 to 1 | 2^-16 |
 //! | [`Weight`] | shares of rays in a pixel | 0 to 1 | 2^-32 |
 //! | [`Radiance`] | what comes back along a ray | 0 to 4 | 2^-30 |
 //!
@@ -36,6 +37,11 @@ pub(crate) type Unit = fixed::types::I2F30;
 ///
 /// Sixteen bits, so that the product of two fits a 32-bit multiply.
 pub(crate) type Factor = fixed::types::U1F15;
+
+/// How bright something is lit: 0 to 1 in steps of 2^-16.
+///
+/// The product of a factor and it fits 32 bits.
+pub(crate) type Intensity = fixed::types::U16F16;
 
 /// How much of what a ray brings back reaches the eye: 0 to 1 in steps of 2^-32, the last
 /// of which stands for 1 itself.

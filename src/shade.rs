@@ -6,8 +6,8 @@ use core::ptr;
 
 use crate::intersect::{Hit, Part};
 use crate::num::{
-    Factor, Product, Radiance, Square, Unit, Weight, inverse_length, leading_zeros, power,
-    reciprocal_root, wide,
+    Factor, Intensity, Product, Radiance, Square, Unit, Weight, inverse_length, leading_zeros,
+    power, reciprocal_root, wide,
 };
 use crate::observer::{Observer, share};
 use crate::prepared::{Light, Material, PreparedScene};
@@ -225,9 +225,9 @@ impl<'s> Surface<'s> {
         if let Some(left) = left {
             (diffuse, specular) = (diffuse.filtered(left), specular.filtered(left));
         }
-        *sum = sum.plus(material.kd.reflect(factor(cosine), diffuse));
+        *sum = sum.plus(material.kd.reflect(intensity(cosine), diffuse));
         if highlight != Factor::ZERO {
-            *sum = sum.plus(material.ks.reflect(highlight, specular));
+            *sum = sum.plus(material.ks.reflect(highlight.into(), specular));
         }
     }
 
@@ -319,10 +319,10 @@ pub(crate) struct Shares {
     pub(crate) transmitted: Option<(Color<Weight>, Vec3<Unit>)>,
 }
 
-/// A cosine of 0 to 1 as a factor, rounded.
+/// A cosine of 0 to 1, rounded.
 #[inline(always)]
-fn factor(cosine: Unit) -> Factor {
-    Factor::from_bits((((cosine.to_bits() + (1 << 14)) >> 15) as u16).min(1 << 15))
+fn intensity(cosine: Unit) -> Intensity {
+    Intensity::from_bits((((cosine.to_bits() + (1 << 13)) >> 14) as u32).min(1 << 16))
 }
 
 #[cfg(test)]
