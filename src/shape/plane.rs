@@ -210,20 +210,21 @@ impl Plane {
     /// The same, without regard to bounds.
     pub(crate) fn unbounded_distance(&self, ray: &Ray) -> Option<Scaled> {
         let (depth, cosine) = self.approach(self.depth(ray.origin), ray.direction)?;
-        let distance = quotient(depth, cosine.into());
+        // Q28 / Q60 -> Q-32 -> Q28 times 2^30, as a quotient is.
+        let distance = quotient(depth, cosine);
         let distance = Scaled {
-            exponent: distance.exponent + i32::from(ray.origin.shift),
+            exponent: distance.exponent + 30 + i32::from(ray.origin.shift),
             ..distance
         };
         (distance.exponent <= HORIZON).then_some(distance)
     }
 
-    /// How far the plane is along its normal and the cosine to it, both
-    /// positive, if the ray approaches the plane.
+    /// How far the plane is along its normal and the cosine to it, Q60 as it is small for
+    /// what is far, both positive, if the ray approaches the plane.
     #[inline(always)]
-    fn approach(&self, depth: i64, direction: Vec3<Unit>) -> Option<(u64, u32)> {
-        let cosine = direction.cosine(self.normal).to_bits();
-        if (depth >> 32) as i32 ^ cosine < 0 || cosine == 0 || depth == 0 {
+    fn approach(&self, depth: i64, direction: Vec3<Unit>) -> Option<(u64, u64)> {
+        let cosine = direction.dot(self.normal).to_bits();
+        if depth ^ cosine < 0 || cosine == 0 || depth == 0 {
             return None;
         }
         Some((depth.unsigned_abs(), cosine.unsigned_abs()))
