@@ -71,8 +71,9 @@ pub trait Observer {
     fn highlight(&mut self) {}
 
     /// A shadow ray from a light, by its number, reached the surface: what the
-    /// surfaces on its way left of the light, or `None` if one is opaque. The
-    /// node of that surface is told of after all its shadow rays.
+    /// surfaces on its way left of the light, or `None` if one is opaque. There is
+    /// none where the light would not be seen. The node of that surface is told of
+    /// after all its shadow rays.
     #[inline(always)]
     fn shadow(&mut self, light: u16, left: Option<Color<Real>>) {
         let _ = (light, left);

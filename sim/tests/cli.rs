@@ -298,10 +298,9 @@ fn a_pixel_is_explained() -> Outcome {
 ├─ R object 0, plane "red" or "yellow": weight 0.0800, local (0.6258, 0.4693, 0.0498)
 │  └─ S light 0: reached
 └─ T object 1, sphere "glass" from inside: weight 0.9300, local 0.0000
-   └─ S light 0: filtered by 0.9300
 color: (0.0501, 0.0375, 0.0040)
 8 bit: (13, 10, 1)
-rays: 5: 1 eye, 1 reflected, 1 transmitted, 2 shadow
+rays: 4: 1 eye, 1 reflected, 1 transmitted, 1 shadow
 "#;
     assert_eq!(said, expected);
     here.ok(&["compile", "whitted", "-o", "whitted.scene"])?;
