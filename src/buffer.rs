@@ -12,7 +12,7 @@ use crate::{Camera, DecodeError, PreparedScene, Real, Scene, SceneError, compile
 /// lights and materials.
 ///
 /// An object takes 112 bytes, 18 more for its bounds and 12 for each light; a
-/// light takes 28, a material 56.
+/// light takes 28, a material 68.
 ///
 /// ```
 /// use whitted::{Camera, Real, Scene, SceneBuffer, Vec3};

@@ -138,10 +138,3 @@ impl Color<Radiance> {
         })
     }
 }
-
-impl From<Color<Factor>> for Color<Radiance> {
-    #[inline(always)]
-    fn from(color: Color<Factor>) -> Self {
-        color.map(|c| Radiance::from_bits(u32::from(c.to_bits()) << 15))
-    }
-}

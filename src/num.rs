@@ -62,6 +62,11 @@ pub(crate) fn factor(value: Real, exposure: u8) -> Factor {
     Factor::from_bits(((value.to_bits() + (1 << (shift - 1))) >> shift) as u16)
 }
 
+/// A number of 0 to 4 * 2^exposure as a radiance, rounded down.
+pub(crate) fn radiance(value: Real, exposure: u8) -> Radiance {
+    Radiance::from_bits((value.to_bits() >> (2 + exposure)) as u32)
+}
+
 /// A number of 0 to 1 as a weight.
 pub(crate) fn weight(value: Real) -> Weight {
     Weight::from_bits(u32::try_from(value.to_bits()).unwrap_or(u32::MAX))

@@ -12,7 +12,7 @@ mod trigonometry;
 
 pub(crate) use check::{max_depth, min_weight};
 
-use crate::num::{Length, Radiance, factor, reciprocal, weight};
+use crate::num::{Length, factor, radiance, reciprocal, weight};
 use crate::prepared::{Camera, Frame, Light, Material, Object, Room, Settings};
 use crate::scene::{self, Background};
 use crate::texture::{Checker, Texture};
@@ -50,7 +50,7 @@ pub(crate) fn prepare(scene: &Scene<'_>, room: &mut impl Room) -> Result<Setting
         Background::Solid(color) => (color, color),
         Background::Gradient { horizon, zenith } => (horizon, zenith),
     };
-    let (horizon, zenith) = (intensity(horizon), intensity(zenith));
+    let [horizon, zenith] = [horizon, zenith].map(|color| color.map(|c| radiance(c, exposure)));
     Ok(Settings {
         camera,
         authored: scene.camera,
@@ -152,8 +152,7 @@ fn fraction(dividend: i64, divisor: i64) -> u32 {
 fn material(material: &scene::Material, scene: &Scene<'_>, exposure: u8) -> Material {
     let coefficient = |color: Color<Real>| color.map(|c| factor(c, 0));
     let glow = material.le.zip(ambient(material, scene), |le, ambient| {
-        // Q32 -> Q30
-        Radiance::from_bits(((le.to_bits() + ambient.to_bits()) >> (2 + exposure)) as u32)
+        radiance(le + ambient, exposure)
     });
     let shading = material.shading.unwrap_or(scene.shading);
     // What is not read is not checked either, and may be anything.

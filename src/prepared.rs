@@ -70,8 +70,8 @@ pub(crate) struct Settings {
     /// The camera as it was authored, of which orbits need the whole.
     pub(crate) authored: scene::Camera,
     pub(crate) frame: Frame,
-    pub(crate) horizon: Color<Factor>,
-    pub(crate) zenith: Color<Factor>,
+    pub(crate) horizon: Color<Radiance>,
+    pub(crate) zenith: Color<Radiance>,
     /// Whether these differ: derived.
     pub(crate) is_gradient: bool,
     /// Radiances are to be multiplied by 2^exposure to become those of the scene.
@@ -90,8 +90,8 @@ impl Settings {
             camera: Camera::default(),
             authored: scene::Camera::new(nowhere, nowhere, Real::ZERO),
             frame: Frame::default(),
-            horizon: Color::<Factor>::BLACK,
-            zenith: Color::<Factor>::BLACK,
+            horizon: Color::<Radiance>::BLACK,
+            zenith: Color::<Radiance>::BLACK,
             is_gradient: false,
             exposure: 0,
             max_depth: 0,

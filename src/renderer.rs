@@ -13,8 +13,9 @@ use crate::{Color, Output, Pixel, PreparedScene};
 /// Draws a scene line by line, each pixel once, without a framebuffer; or step by
 /// step, in other orders too: [`step`](Self::step).
 ///
-/// It takes 2.2 KB, as it holds the stack of rays and which objects a line may
-/// show: keep it in a `static` or high up on the stack. The picture's aspect
+/// It takes 0.7 KB, as it holds which objects a line may show. Drawing takes some 2 KB
+/// of stack, 2 KB more where something lets light through, as rays may then have to
+/// wait for others, and 1.3 KB more for a sphereflake. The picture's aspect
 /// follows its size.
 ///
 /// ```
@@ -114,6 +115,6 @@ mod tests {
     #[test]
     fn a_renderer_takes_as_many_bytes_as_documented() {
         let size = size_of::<Renderer<'_>>();
-        assert!(size <= 2250, "{size}");
+        assert!(size <= 700, "{size}");
     }
 }

@@ -113,7 +113,7 @@ impl ShadowRay<'_> {
         let light = self.light.position;
         match &object.shape {
             Shape::Sphere(sphere) => {
-                let [entry, exit] = sphere.is_crossed(light, -self.to_light(), self.distance());
+                let [entry, exit] = sphere.is_crossed(light, -self.direction(), self.distance());
                 // From the inside of a sphere the exit is the lit point itself.
                 Some(u8::from(entry) + u8::from(exit && !is_start))
             }
@@ -124,11 +124,7 @@ impl ShadowRay<'_> {
             Shape::Sphereflake(flake) if is_opaque => {
                 let from = is_start.then_some(self.ray.start);
                 let reach = self.distance();
-                Some(
-                    flake
-                        .is_between(&self.from_light(), from, reach, observer)
-                        .into(),
-                )
+                Some(flake.is_between(&self.beam(), from, reach, observer).into())
             }
             Shape::Quadric(_) | Shape::Sphereflake(_) => None,
         }
@@ -136,7 +132,7 @@ impl ShadowRay<'_> {
 
     /// From the point to the light.
     #[inline]
-    fn to_light(&self) -> Vec3<Unit> {
+    fn direction(&self) -> Vec3<Unit> {
         normalize(self.way.map(Length::to_bits), self.inverse)
     }
 
@@ -161,10 +157,10 @@ impl ShadowRay<'_> {
         i64::from(self.length().to_bits()) << self.ray.origin.shift
     }
 
-    fn from_light(&self) -> Ray {
+    fn beam(&self) -> Ray {
         Ray {
             origin: Point::near(self.light.position),
-            direction: -self.to_light(),
+            direction: -self.direction(),
             start: Start::NOWHERE,
         }
     }
@@ -194,7 +190,7 @@ fn filtered(
             return left;
         }
         Shape::Sphereflake(flake) => {
-            let ray = shadow.from_light();
+            let ray = shadow.beam();
             let from = is_start.then_some(shadow.ray.start);
             flake.crossings(&ray, from, shadow.distance(), observer, &mut |distance| {
                 pass(ray.at(distance))
@@ -215,7 +211,7 @@ type Crossings = (Ray, [Option<Scaled>; 2]);
 
 impl ShadowRay<'_> {
     fn of_sphere(&self, sphere: &Sphere, is_start: bool) -> Crossings {
-        let ray = self.from_light();
+        let ray = self.beam();
         let [entry, exit] = sphere.crossings(self.light.position, ray.direction);
         // From the inside of a sphere the exit is the lit point itself.
         let exit = exit.filter(|_| !is_start);
@@ -231,12 +227,12 @@ impl ShadowRay<'_> {
         let (ray, start) = if is_start {
             let back = Ray {
                 origin: self.ray.origin,
-                direction: self.to_light(),
+                direction: self.direction(),
                 start: self.ray.start,
             };
             (back, Some(self.ray.start.inward))
         } else {
-            (self.from_light(), None)
+            (self.beam(), None)
         };
         (ray, quadric.crossings(&ray, start))
     }
@@ -245,7 +241,7 @@ impl ShadowRay<'_> {
         let point = if plane.may_hold(self.ray.origin) {
             self.ray.origin
         } else {
-            let ray = self.from_light();
+            let ray = self.beam();
             ray.far_at(plane.unbounded_distance(&ray)?)
         };
         plane.covers(point).then_some(point)

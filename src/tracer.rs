@@ -256,16 +256,16 @@ fn background(settings: &Settings, height: Unit) -> Color<Radiance> {
     if settings.is_gradient && height > 0 {
         return sky(settings, height);
     }
-    settings.horizon.into()
+    settings.horizon
 }
 
 /// A gradient, at a height above the horizon.
 #[inline(never)]
 fn sky(settings: &Settings, height: Unit) -> Color<Radiance> {
     settings.horizon.zip(settings.zenith, |horizon, zenith| {
-        let rise = i32::from(zenith.to_bits()) - i32::from(horizon.to_bits());
-        // Q15 * Q30 -> Q30
-        let risen = round_unit(rise.product(height.to_bits()), 15).to_bits();
-        Radiance::from_bits((u32::from(horizon.to_bits()) << 15).saturating_add_signed(risen))
+        // Both are 1 at most, and so is what is between.
+        let rise = zenith.to_bits() as i32 - horizon.to_bits() as i32;
+        let risen = round_unit(rise.product(height.to_bits()), 30).to_bits();
+        Radiance::from_bits(horizon.to_bits().saturating_add_signed(risen))
     })
 }

@@ -5,7 +5,7 @@ use core::ops::Neg;
 use fixed::traits::Fixed;
 use fixed::types::{I8F56, U0F32};
 
-use crate::num::{Factor, Length, Unit, wide};
+use crate::num::{Factor, Length, Radiance, Unit, wide};
 use crate::prepared::{
     Camera, FINEST, Frame, Light, MAX_DEPTH, Material, OFFSET_BITS, Object, Settings,
 };
@@ -64,7 +64,9 @@ impl Settings {
             && are_square(up, forward)
             && (1..12 << 28).contains(&tangent)
             && self.frame.is_valid()
-            && are_factors([self.horizon, self.zenith])
+            && [self.horizon, self.zenith]
+                .into_iter()
+                .all(|color| color.all(|c| c <= Radiance::ONE))
             && self.exposure < 16
             && self.max_depth <= MAX_DEPTH
             && self.min_weight <= Factor::ONE
