@@ -32,7 +32,7 @@ pub(crate) struct Coverage {
     are_flat: bool,
 }
 
-/// What the ray through a column may meet.
+/// What a ray may meet.
 #[derive(Clone, Copy)]
 pub(crate) struct Candidates<'c> {
     /// The numbers of the objects; `None` if that may be any.
@@ -47,6 +47,14 @@ struct Span {
     object: u16,
     from: u16,
     to: u16,
+}
+
+#[cfg(test)]
+impl Candidates<'_> {
+    const ANY: Self = Self {
+        objects: None,
+        are_flat: false,
+    };
 }
 
 impl Coverage {
@@ -151,4 +159,128 @@ fn columns(bound: &Bound, row: &Row) -> Option<[u16; 2]> {
     let from = end(middle - aslant).saturating_sub(1);
     let to = end(middle + aslant).saturating_add(2);
     Some([from.min(row.width), to.min(row.width)])
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    extern crate std;
+
+    use fastrand::Rng;
+    use std::boxed::Box;
+    use std::println;
+    use std::vec::Vec;
+
+    use super::Candidates;
+    use crate::camera::View;
+    use crate::intersect::Part;
+    use crate::raster::Raster;
+    use crate::ray::Ray;
+    use crate::tracer::trace;
+    use crate::{
+        Background, Camera, Color, Light, Material, MaterialId, Object, Real, Scene,
+        SceneBuffer, Shape, Texture, Vec3,
+    };
+
+    const SCENES: u64 = if cfg!(miri) { 1 } else { 150 };
+
+    fn real(rng: &mut Rng, low: f64, high: f64) -> Real {
+        Real::from_num(low + (high - low) * rng.f64())
+    }
+
+    fn point(rng: &mut Rng, reach: f64) -> Vec3<Real> {
+        let mut c = || real(rng, -reach, reach);
+        Vec3::new(c(), c(), c())
+    }
+
+    /// Spheres of all sizes, some around the eye, a few others, and planes.
+    fn object(rng: &mut Rng) -> Shape {
+        let center = point(rng, 2.0);
+        let radius = Real::from_num(10_f64.powf(-2.3 + 2.5 * rng.f64()));
+        match rng.u8(0..10) {
+            0 => Shape::Ellipsoid {
+                center,
+                radii: Vec3::new(radius, radius / 2, radius * 2),
+            },
+            1 => Shape::Cylinder {
+                origin: center,
+                radius,
+                y: Some([-radius, radius * 2]),
+            },
+            2 => Shape::Cone {
+                origin: center,
+                radius,
+                height: radius * 2,
+                y: Some([Real::ZERO, radius]),
+            },
+            3 => Shape::Paraboloid {
+                origin: center,
+                y: [radius / 8, radius],
+            },
+            4 => Shape::Plane {
+                normal: point(rng, 1.0),
+                point: center,
+                bounds: Default::default(),
+            },
+            _ => Shape::Sphere { center, radius },
+        }
+    }
+
+    /// What a line passes over as out of view is met by no ray. Objects glow in colors of their
+    /// own, so that what is met is seen.
+    #[test]
+    fn a_line_has_the_colors_of_rays_that_may_meet_anything() {
+        let mut rng = Rng::with_seed(7);
+        let (mut covered, mut pixels) = (0, 0);
+        for scene in 0..SCENES {
+            let materials: Vec<_> = (0..8)
+                .map(|_| Material {
+                    le: Color::new(
+                        real(&mut rng, 0.1, 1.0),
+                        real(&mut rng, 0.1, 1.0),
+                        real(&mut rng, 0.1, 1.0),
+                    ),
+                    ..Material::default()
+                })
+                .collect();
+            let objects: Vec<_> = (0..rng.u16(1..90))
+                .map(|n| Object {
+                    shape: object(&mut rng),
+                    texture: Texture::Uniform(MaterialId(n % 8)),
+                })
+                .collect();
+            let fovy = real(&mut rng, 2.0, 169.0);
+            let camera = Camera::new(point(&mut rng, 2.5), point(&mut rng, 2.0), fovy);
+            let lights: [Light; 0] = [];
+            let scene_of = Scene {
+                objects: &objects,
+                materials: &materials,
+                lights: &lights,
+                background: Background::Solid(Color::gray(Real::ZERO)),
+                ..Scene::new(camera)
+            };
+            let mut buffer = Box::new(SceneBuffer::<96, 1, 8>::new());
+            let prepared = buffer.prepare(&scene_of).unwrap();
+            let size = [(64, 48), (17, 90), (120, 9)][scene as usize % 3];
+            let view = View::new(&prepared.settings.camera, size.0, size.1);
+            let (mut raster, mut part) = (Raster::new(&prepared), Part::default());
+            for y in 0..size.1 {
+                let directions = view.line(y);
+                let observer = &mut ();
+                let lines = raster.pixels(&view, y, view.columns(), observer);
+                for ((x, color), direction) in lines.zip(directions) {
+                    let ray = Ray {
+                        direction,
+                        ..view.ray()
+                    };
+                    let expected = trace(&prepared, &ray, Candidates::ANY, &mut part, &mut ());
+                    assert_eq!(color, expected, "scene {scene}, at ({x}, {y})");
+                    covered += usize::from(color != Color::default());
+                    pixels += 1;
+                }
+            }
+        }
+        println!("{covered} of {pixels} pixels covered");
+        assert!(covered > pixels / 4 && covered < pixels * 9 / 10);
+    }
 }
