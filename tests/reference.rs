@@ -43,30 +43,30 @@ macro_rules! references {
 }
 
 references! {
-    whitted: "01_whitted", 96.0 dB, 1.0;
-    still_life: "02_still_life", 99.0 dB, 1.0;
-    phong_terms: "03_phong_terms", 102.0 dB, 1.0;
-    shininess_phong: "04_shininess_phong", 101.0 dB, 1.0;
-    shininess_blinn: "05_shininess_blinn", 100.5 dB, 1.0;
+    whitted: "01_whitted", 103.0 dB, 1.0;
+    still_life: "02_still_life", 101.5 dB, 1.0;
+    phong_terms: "03_phong_terms", 106.0 dB, 1.0;
+    shininess_phong: "04_shininess_phong", 104.0 dB, 1.0;
+    shininess_blinn: "05_shininess_blinn", 102.5 dB, 1.0;
     // Single pixels, spread over the spheres.
     glass_indices: "11_glass_indices", 83.0 dB, 0.9997;
-    cylinder: "06_cylinder", 99.5 dB, 1.0;
-    cone: "07_cone", 99.0 dB, 1.0;
-    paraboloid: "08_paraboloid", 99.5 dB, 1.0;
-    ellipsoid: "09_ellipsoid", 98.5 dB, 1.0;
-    mirrors_once: "10_mirrors_d1", 99.5 dB, 1.0;
-    mirrors_thrice: "10_mirrors_d3", 98.0 dB, 1.0;
-    mirrors: "10_mirrors_d6", 98.0 dB, 1.0;
-    total_reflection: "11b_tir_ellipsoids", 97.5 dB, 1.0;
-    filters: "12_filters", 95.0 dB, 1.0;
-    flake_of_depth_1: "13_flake_d1", 99.5 dB, 1.0;
-    flake_of_depth_3: "13_flake_d3", 74.2 dB, 0.9998;
-    flake_of_depth_6: "13_flake_d6", 56.4 dB, 0.990;
-    glass_and_mirror: "t10_tir_kt_kr", 98.5 dB, 1.0;
-    four_spheres: "ftb", 66.0 dB, 0.9999;
+    cylinder: "06_cylinder", 101.5 dB, 1.0;
+    cone: "07_cone", 101.5 dB, 1.0;
+    paraboloid: "08_paraboloid", 101.5 dB, 1.0;
+    ellipsoid: "09_ellipsoid", 100.5 dB, 1.0;
+    mirrors_once: "10_mirrors_d1", 103.0 dB, 1.0;
+    mirrors_thrice: "10_mirrors_d3", 102.5 dB, 1.0;
+    mirrors: "10_mirrors_d6", 102.5 dB, 1.0;
+    total_reflection: "11b_tir_ellipsoids", 98.5 dB, 1.0;
+    filters: "12_filters", 96.0 dB, 1.0;
+    flake_of_depth_1: "13_flake_d1", 102.0 dB, 1.0;
+    flake_of_depth_3: "13_flake_d3", 83.0 dB, 0.9998;
+    flake_of_depth_6: "13_flake_d6", 57.0 dB, 0.990;
+    glass_and_mirror: "t10_tir_kt_kr", 101.0 dB, 1.0;
+    four_spheres: "ftb", 68.0 dB, 0.9999;
     kt_plus_kd: "t06_kt_plus_kd", 88.5 dB, 0.9998;
-    emission_ambient: "t13_emission_ambient", 99.0 dB, 1.0;
-    camera_inside_glass: "t15_camera_inside_glass", 98.5 dB, 1.0;
-    backlit_phong: "t18_backlit_phong", 100.0 dB, 1.0;
-    backlit_blinn: "t19_backlit_blinn", 100.0 dB, 1.0;
+    emission_ambient: "t13_emission_ambient", 101.5 dB, 1.0;
+    camera_inside_glass: "t15_camera_inside_glass", 99.5 dB, 1.0;
+    backlit_phong: "t18_backlit_phong", 103.0 dB, 1.0;
+    backlit_blinn: "t19_backlit_blinn", 103.0 dB, 1.0;
 }
