@@ -108,7 +108,7 @@ impl<'s> Surface<'s> {
         self.material.dimmest == u32::MAX && !self.material.branches
     }
 
-    /// Makes the direction of the ray a unit vector after it has met the surface.
+    /// Makes the direction of a ray a unit vector that has met the surface without being one.
     #[inline(never)]
     pub(crate) fn look_closely(&mut self) {
         self.make_unit();

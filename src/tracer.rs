@@ -109,7 +109,7 @@ pub(crate) fn trace(
         }
     } else {
         if candidates.are_flat && scene.settings.is_gradient {
-            walk.surface.make_unit();
+            walk.surface.look_closely();
         }
         walk.radiance = background(&scene.settings, walk.surface.ray().direction.y);
         tell(observer, scene, None, walk.kin, walk.radiance);
