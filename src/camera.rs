@@ -2,7 +2,7 @@
 
 use crate::Vec3;
 use crate::num::{
-    Length, Product, Scaled, Square, Unit, inverse_length, quotient, reciprocal, wide,
+    Length, Product, Scaled, Square, Unit, inverse_length, quotient, reciprocal, square_root, wide,
 };
 use crate::prepared::Camera;
 use crate::ray::{Point, Ray, Start};
@@ -16,8 +16,9 @@ pub(crate) const MAX_SIDE: u32 = u16::MAX as u32;
 ///
 /// The direction through the center of pixel (x, y) is `f + X r + Y u` with
 /// `X = (2x + 1 - width) g`, `Y = (height - 2y - 1) g` and
-/// `g = tan(fovy / 2) / height`. Directions are in steps of 2^-62, divided by a
-/// power of two that keeps the longest below 2; along a line they are added up.
+/// `g = tan(fovy / 2) / height`. Directions are in steps of 2^-62, scaled so that the
+/// longest are 1.125 long: 8 of them lead from ±3.5 to what is seen to be far, even where
+/// coordinates wrap. Along a line they are added up.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct View {
     eye: Vec3<Length>,
@@ -39,25 +40,24 @@ impl View {
         // tangent / height: U4F28 * U1F31 -> U6F58
         let shift = height.max(1).leading_zeros();
         let g = wide(camera.tangent, reciprocal(height.max(1) << shift)) >> (33 - shift);
-        // sqrt(1 + X² + Y²), Q28, bounds the length of a direction; squared in Q56 or, if it is
-        // long, coarser.
+        // sqrt(1 + X² + Y²), Q28, is the length of the longest direction; squared in Q56 or, if
+        // it is long, coarser.
         let sides = [width, height].map(|side| ((g >> 30) + 1) * u64::from(side));
         let coarser = (64 - (sides[0] | sides[1]).leading_zeros()).saturating_sub(30);
         let square = |side: u64| ((side >> coarser) + 1).pow(2);
         let longest_squared = square(1 << 28) + square(sides[0]) + square(sides[1]);
-        let bits = 64 - longest_squared.leading_zeros() + 2 * coarser;
-        let divisor = bits.saturating_sub(58).div_ceil(2);
-        let g_shift = g.max(1).leading_zeros();
-        let g_mantissa = ((g << g_shift) >> 32) as i64;
+        let longest = u64::from(square_root(longest_squared)) << coarser;
+        // What brings it to 1.125: U1F31.
+        let scale = quotient(9 << 26, longest).to_bits() as u32;
+        let scaled_g = (wide((g >> 32) as u32, scale) << 1) + (wide(g as u32, scale) >> 31);
+        let g_shift = scaled_g.max(1).leading_zeros();
+        let g_mantissa = ((scaled_g << g_shift) >> 32) as i64;
         // I2F30 * (U6F58 as a 32-bit mantissa) -> Q62
-        let half_pixel = |c: Unit| {
-            (i64::from(c.to_bits()) * g_mantissa) >> (g_shift + divisor).saturating_sub(6)
-        };
+        let half_pixel =
+            |c: Unit| (i64::from(c.to_bits()) * g_mantissa) >> g_shift.saturating_sub(6);
         Self {
             eye: camera.eye,
-            forward: camera
-                .forward
-                .map(|c| (i64::from(c.to_bits()) << 32) >> divisor),
+            forward: camera.forward.map(|c| c.to_bits().product(scale) << 1),
             right: camera.right.map(half_pixel),
             down: camera.up.map(|c| -half_pixel(c)),
             half_pixel: g,
@@ -233,7 +233,7 @@ impl Line {
     }
 }
 
-/// The directions, below 2 in length.
+/// The directions, 1.125 long at most.
 impl Iterator for Line {
     type Item = Vec3<Unit>;
 
@@ -247,5 +247,52 @@ impl Iterator for Line {
 
     fn size_hint(&self) -> (usize, Option<usize>) {
         (self.remaining as usize, Some(self.remaining as usize))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_longest_directions_are_nine_eighths_long() {
+        let sizes = [
+            (320, 240),
+            (1, 1),
+            (240, 320),
+            (65_535, 65_535),
+            (65_535, 1),
+            (1, 65_535),
+        ];
+        for tangent in [1, 1 << 20, 1 << 27, 1 << 28, 45 << 26] {
+            let camera = Camera {
+                forward: Vec3::new(Unit::ZERO, Unit::ZERO, -Unit::ONE),
+                right: Vec3::new(Unit::ONE, Unit::ZERO, Unit::ZERO),
+                up: Vec3::new(Unit::ZERO, Unit::ONE, Unit::ZERO),
+                tangent,
+                ..Camera::default()
+            };
+            for (width, height) in sizes {
+                let view = View::new(&camera, width, height);
+                let length = |x, y| {
+                    let mut line = view.line(y);
+                    line.pass(x);
+                    let direction = line.next().map(|d| d.map(|c| c.to_num::<f64>()));
+                    direction.map_or(0.0, |d| (d.x * d.x + d.y * d.y + d.z * d.z).sqrt())
+                };
+                for (x, y) in [
+                    (0, 0),
+                    (width - 1, 0),
+                    (width - 1, height - 1),
+                    (width / 2, 0),
+                ] {
+                    assert!(length(x, y) <= 1.125, "{tangent} {width}x{height} {x} {y}");
+                }
+                // A corner of the picture, but for half a pixel.
+                if width.min(height) > 200 {
+                    assert!(length(0, 0) > 1.11, "{tangent} {width}x{height}");
+                }
+            }
+        }
     }
 }

@@ -178,8 +178,8 @@ mod tests {
     use crate::ray::Ray;
     use crate::tracer::trace;
     use crate::{
-        Background, Camera, Color, Light, Material, MaterialId, Object, Real, Scene,
-        SceneBuffer, Shape, Texture, Vec3,
+        Background, Camera, Color, Light, Material, MaterialId, Object, Real, Scene, SceneBuffer,
+        Shape, Texture, Vec3,
     };
 
     const SCENES: u64 = if cfg!(miri) { 1 } else { 150 };

@@ -313,7 +313,7 @@ impl InverseLength {
         let scaled = high << self.half_shift | ((low >> 1) >> (31 - self.half_shift)) as i32;
         // * U1F31, which less 2 fits a signed word, for which chips have a multiply.
         let product = scaled.product(self.inverse as i32) + (1 << 30);
-        Unit::from_bits((scaled << 1) + (product >> 31) as i32)
+        Unit::from_bits((scaled << 1).wrapping_add((product >> 31) as i32))
     }
 
     /// sqrt(n), relative error below 2^-29, rounded to an integer.

@@ -60,7 +60,7 @@ impl Kin {
 type Waiting = Vec<Branch, { MAX_DEPTH as usize }>;
 
 /// The radiance that an eye ray brings back, of which candidates are known. Its
-/// direction is below 2 in length and made a unit vector if need be: planes and what
+/// direction is made a unit vector if need be: planes and what
 /// they reflect diffusely can do without.
 ///
 /// Not inlined: there is one copy of all tracing, whatever it is drawn into.

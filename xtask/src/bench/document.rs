@@ -111,7 +111,8 @@ fn sizes(text: &mut String, rows: &[Row], renderer: &BTreeMap<Core, u64>) -> std
         "\n## Flash and RAM\n\n\
          In bytes. The library's code is all machine code that comes of a line of `src`, the number\n\
          formats inlined there included, constants not; the firmware has semihosting, formatted\n\
-         output and error texts besides. The RAM is room for 64 objects, 8 lights and 64 materials, and the renderer's 0.7 KB; it is\n         static, so that the stack holds calls alone.\n\n\
+         output and error texts besides. The RAM is room for 64 objects, 8 lights and 64 materials, and the\n\
+         renderer's 0.7 KB, which are static, so that the stack holds calls alone.\n\n\
          | core | the library's code | firmware | RAM |\n|---|--:|--:|--:|"
     )?;
     for (core, size) in renderer {

@@ -33,7 +33,7 @@ pub(super) fn break_off(port: &Port, scene: &Path) -> Result<()> {
             framed(&[1; 20_000])?,
             "broken: longer than the 16378 bytes there is room for",
         ),
-        (framed(&newer)?, "refused 0007: compiled for format 3"),
+        (framed(&newer)?, "refused 0007: compiled for format 4"),
         (
             framed(&crowd()?)?,
             "refused 0007: more objects than the 64 there is room for",
