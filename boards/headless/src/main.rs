@@ -8,7 +8,7 @@ use core::panic::PanicInfo;
 
 use cortex_m::peripheral::Peripherals;
 use cortex_m_rt::entry;
-use measure::{Report, Stopwatch};
+use measure::Stopwatch;
 use mps2::{Blind, Job};
 use whitted::{PreparedScene, Renderer, SceneBuffer};
 
