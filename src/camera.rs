@@ -17,8 +17,8 @@ pub(crate) const MAX_SIDE: u32 = u16::MAX as u32;
 /// The direction through the center of pixel (x, y) is `f + X r + Y u` with
 /// `X = (2x + 1 - width) g`, `Y = (height - 2y - 1) g` and
 /// `g = tan(fovy / 2) / height`. Directions are in steps of 2^-62, scaled so that the
-/// longest are 1.125 long: 8 of them lead from ±3.5 to what is seen to be far, even where
-/// coordinates wrap. Along a line they are added up.
+/// longest are 7/8: 8 of them lead from -3.5 to 3.5, between which points are near. Along a
+/// line they are added up.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct View {
     eye: Vec3<Length>,
@@ -47,8 +47,8 @@ impl View {
         let square = |side: u64| ((side >> coarser) + 1).pow(2);
         let longest_squared = square(1 << 28) + square(sides[0]) + square(sides[1]);
         let longest = u64::from(square_root(longest_squared)) << coarser;
-        // What brings it to 1.125: U1F31.
-        let scale = quotient(9 << 26, longest).to_bits() as u32;
+        // What makes it 7/8: U1F31.
+        let scale = quotient(7 << 26, longest).to_bits() as u32;
         let scaled_g = (wide((g >> 32) as u32, scale) << 1) + (wide(g as u32, scale) >> 31);
         let g_shift = scaled_g.max(1).leading_zeros();
         let g_mantissa = ((scaled_g << g_shift) >> 32) as i64;
@@ -233,7 +233,7 @@ impl Line {
     }
 }
 
-/// The directions, 1.125 long at most.
+/// The directions, of a length of 7/8 at most.
 impl Iterator for Line {
     type Item = Vec3<Unit>;
 
@@ -255,7 +255,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_longest_directions_are_nine_eighths_long() {
+    fn the_longest_directions_are_seven_eighths_long() {
         let sizes = [
             (320, 240),
             (1, 1),
@@ -286,11 +286,11 @@ mod tests {
                     (width - 1, height - 1),
                     (width / 2, 0),
                 ] {
-                    assert!(length(x, y) <= 1.125, "{tangent} {width}x{height} {x} {y}");
+                    assert!(length(x, y) <= 0.875, "{tangent} {width}x{height} {x} {y}");
                 }
                 // A corner of the picture, but for half a pixel.
                 if width.min(height) > 200 {
-                    assert!(length(0, 0) > 1.11, "{tangent} {width}x{height}");
+                    assert!(length(0, 0) > 0.86, "{tangent} {width}x{height}");
                 }
             }
         }

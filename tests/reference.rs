@@ -60,10 +60,10 @@ references! {
     total_reflection: "11b_tir_ellipsoids", 98.5 dB, 1.0;
     filters: "12_filters", 96.0 dB, 1.0;
     flake_of_depth_1: "13_flake_d1", 102.0 dB, 1.0;
-    flake_of_depth_3: "13_flake_d3", 83.0 dB, 0.9998;
+    flake_of_depth_3: "13_flake_d3", 80.0 dB, 0.9998;
     flake_of_depth_6: "13_flake_d6", 57.0 dB, 0.990;
     glass_and_mirror: "t10_tir_kt_kr", 101.0 dB, 1.0;
-    four_spheres: "ftb", 68.0 dB, 0.9999;
+    four_spheres: "ftb", 66.0 dB, 0.9999;
     kt_plus_kd: "t06_kt_plus_kd", 88.5 dB, 0.9998;
     emission_ambient: "t13_emission_ambient", 101.5 dB, 1.0;
     camera_inside_glass: "t15_camera_inside_glass", 99.5 dB, 1.0;
