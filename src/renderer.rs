@@ -14,8 +14,8 @@ use crate::{Color, Output, Pixel, PreparedScene};
 /// step, in other orders too: [`step`](Self::step).
 ///
 /// It takes 0.7 KB, as it holds which objects a line may show. Drawing takes some 2 KB
-/// of stack, 2 KB more where something lets light through, as rays may then have to
-/// wait for others, and 1.3 KB more for a sphereflake. The picture's aspect
+/// of stack, 0.8 KB more where something lets light through, as rays may then have to
+/// wait for others, another 1.4 KB for more than 8 generations, and 1.3 KB for a sphereflake. The picture's aspect
 /// follows its size.
 ///
 /// ```

@@ -56,8 +56,9 @@ impl Kin {
 }
 
 /// Branches put off: a transmitted ray waits while the reflected one beside
-/// it is followed, so there is at most one for each generation.
-type Waiting = Vec<Branch, { MAX_DEPTH as usize }>;
+/// it is followed, so there is at most one for each generation. Room for few of them is
+/// room enough for most scenes.
+const FEW: usize = 8;
 
 /// The radiance that an eye ray brings back, of which candidates are known. Its
 /// direction is made a unit vector if need be: planes and what
@@ -103,8 +104,10 @@ pub(crate) fn trace(
         if walk.surface.branches() && scene.settings.max_depth > 0 {
             if scene.settings.is_opaque {
                 walk.climb(scene, &mut Vec::<Branch, 0>::new(), part, observer);
+            } else if usize::from(scene.settings.max_depth) <= FEW {
+                walk.climb_through_glass::<FEW>(scene, part, observer);
             } else {
-                walk.climb_through_glass(scene, part, observer);
+                walk.climb_through_glass::<{ MAX_DEPTH as usize }>(scene, part, observer);
             }
         }
     } else {
@@ -150,15 +153,15 @@ impl<'s> Walk<'s> {
         }
     }
 
-    /// The same where rays may have to wait, which takes 1.6 KB of stack.
+    /// The same where rays may have to wait, which takes 56 bytes of stack for each.
     #[inline(never)]
-    fn climb_through_glass(
+    fn climb_through_glass<const ROOM: usize>(
         &mut self,
         scene: &PreparedScene<'s>,
         part: &mut Part,
         observer: &mut impl Observer,
     ) {
-        self.climb(scene, &mut Waiting::new(), part, observer);
+        self.climb(scene, &mut Vec::<Branch, ROOM>::new(), part, observer);
     }
 
     /// Traces a ray, adds what it brings back, and sends the one on its way that
