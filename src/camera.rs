@@ -5,7 +5,7 @@ use crate::num::{
     Length, Product, Scaled, Square, Unit, inverse_length, quotient, reciprocal, square_root, wide,
 };
 use crate::prepared::Camera;
-use crate::ray::{Point, Ray, Start};
+use crate::ray::Point;
 use crate::shape::Plane;
 use crate::vector::high;
 
@@ -72,15 +72,6 @@ impl View {
             from: 0,
             to: self.width,
             spacing: 0,
-        }
-    }
-
-    /// A ray from the eye, in no direction yet.
-    pub(crate) fn ray(&self) -> Ray {
-        Ray {
-            origin: Point::near(self.eye),
-            direction: Vec3::new(Unit::ZERO, Unit::ZERO, Unit::ZERO),
-            start: Start::NOWHERE,
         }
     }
 

@@ -23,22 +23,29 @@ pub(crate) struct Coverage {
     spans: Vec<Span, MOST>,
     /// How many of the spans come before those that are all of planes.
     curved: usize,
-    /// The numbers of the objects at a column.
-    here: Vec<u16, MOST>,
-    /// From which column on there may be others.
+    /// What is at a column.
+    here: Candidates,
+    /// From which column on that may be something else.
     change: u32,
-    is_complete: bool,
-    /// Whether they are all planes.
-    are_flat: bool,
 }
 
 /// What a ray may meet.
-#[derive(Clone, Copy)]
-pub(crate) struct Candidates<'c> {
-    /// The numbers of the objects; `None` if that may be any.
-    pub(crate) objects: Option<&'c [u16]>,
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Candidates {
+    /// The numbers of the objects.
+    objects: Vec<u16, MOST>,
+    /// Whether these are all.
+    are_complete: bool,
     /// Whether they are all planes.
     pub(crate) are_flat: bool,
+}
+
+impl Candidates {
+    /// The numbers of the objects; `None` if that may be any.
+    #[inline(always)]
+    pub(crate) fn objects(&self) -> Option<&[u16]> {
+        self.are_complete.then_some(&self.objects)
+    }
 }
 
 /// Columns, the last of them not included.
@@ -47,14 +54,6 @@ struct Span {
     object: u16,
     from: u16,
     to: u16,
-}
-
-#[cfg(test)]
-impl Candidates<'_> {
-    const ANY: Self = Self {
-        objects: None,
-        are_flat: false,
-    };
 }
 
 impl Coverage {
@@ -84,7 +83,7 @@ impl Coverage {
                 self.curved = self.spans.len();
             }
         }
-        self.is_complete = fits;
+        self.here.are_complete = fits;
     }
 
     fn add(&mut self, object: u16, [from, to]: [u16; 2]) -> bool {
@@ -93,30 +92,28 @@ impl Coverage {
 
     /// What the ray through column `x` may meet, columns being asked for in rising order.
     #[inline]
-    pub(crate) fn at(&mut self, x: u32) -> Candidates<'_> {
+    pub(crate) fn at(&mut self, x: u32) -> &Candidates {
         if x >= self.change {
             self.advance(x);
         }
-        Candidates {
-            objects: self.is_complete.then_some(&self.here),
-            are_flat: self.are_flat,
-        }
+        &self.here
     }
 
     #[inline(never)]
     fn advance(&mut self, x: u32) {
-        self.here.clear();
+        let here = &mut self.here;
+        here.objects.clear();
+        here.are_flat = here.are_complete;
         self.change = u32::MAX;
-        self.are_flat = self.is_complete;
         for (number, span) in self.spans.iter().enumerate() {
             let (from, to) = (u32::from(span.from), u32::from(span.to));
             if x < from {
                 self.change = self.change.min(from);
             } else if x < to {
                 self.change = self.change.min(to);
-                self.are_flat &= number >= self.curved;
+                here.are_flat &= number >= self.curved;
                 // There is room for all of them.
-                let _ = self.here.push(span.object);
+                let _ = here.objects.push(span.object);
             }
         }
     }
@@ -175,7 +172,6 @@ mod tests {
     use crate::camera::View;
     use crate::intersect::Part;
     use crate::raster::Raster;
-    use crate::ray::Ray;
     use crate::tracer::trace;
     use crate::{
         Background, Camera, Color, Light, Material, MaterialId, Object, Real, Scene, SceneBuffer,
@@ -269,11 +265,8 @@ mod tests {
                 let observer = &mut ();
                 let lines = raster.pixels(&view, y, view.columns(), observer);
                 for ((x, color), direction) in lines.zip(directions) {
-                    let ray = Ray {
-                        direction,
-                        ..view.ray()
-                    };
-                    let expected = trace(&prepared, &ray, Candidates::ANY, &mut part, &mut ());
+                    let anything = Candidates::default();
+                    let expected = trace(&prepared, direction, &anything, &mut part, &mut ());
                     assert_eq!(color, expected, "scene {scene}, at ({x}, {y})");
                     covered += usize::from(color != Color::default());
                     pixels += 1;

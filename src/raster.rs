@@ -5,7 +5,6 @@ use crate::coverage::Coverage;
 use crate::intersect::Part;
 use crate::num::Radiance;
 use crate::observer::Observer;
-use crate::ray::Ray;
 use crate::tracer::trace;
 use crate::{Color, PreparedScene};
 
@@ -38,7 +37,6 @@ impl<'s> Raster<'s> {
     ) -> Pixels<'r, O> {
         self.coverage.look(self.scene, view, y);
         Pixels {
-            ray: view.ray(),
             directions: view.line(y).through(columns),
             x: columns.from,
             spacing: columns.spacing,
@@ -71,7 +69,6 @@ impl<'s> Raster<'s> {
 
 /// Pixels of a line as they are traced.
 pub(crate) struct Pixels<'r, O> {
-    ray: Ray,
     directions: Line,
     x: u32,
     spacing: u8,
@@ -95,11 +92,11 @@ impl<O: Observer> Iterator for Pixels<'_, O> {
 
     #[inline(always)]
     fn next(&mut self) -> Option<Self::Item> {
-        self.ray.direction = self.directions.next()?;
+        let direction = self.directions.next()?;
         let x = self.x;
         self.x += 1 << self.spacing;
         let candidates = self.coverage.at(x);
-        let color = trace(self.scene, &self.ray, candidates, self.part, self.observer);
+        let color = trace(self.scene, direction, candidates, self.part, self.observer);
         Some((x, color))
     }
 

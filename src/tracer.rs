@@ -2,15 +2,15 @@
 
 use heapless::{Vec, VecView};
 
-use crate::Color;
 use crate::coverage::Candidates;
 use crate::intersect::{self, Part};
 use crate::num::{Factor, Product, Radiance, Unit, Weight};
 use crate::observer::{Node, Observer, RayKind, weight};
 use crate::prepared::{MAX_DEPTH, PreparedScene, Settings};
-use crate::ray::Ray;
+use crate::ray::{Point, Ray, Start};
 use crate::shade::{Shares, Surface};
 use crate::vector::round_unit;
+use crate::{Color, Vec3};
 
 /// Rays of one pixel, shadow rays apart, after which branches add black.
 ///
@@ -68,14 +68,18 @@ const FEW: usize = 8;
 #[inline(never)]
 pub(crate) fn trace(
     scene: &PreparedScene<'_>,
-    ray: &Ray,
-    candidates: Candidates<'_>,
+    direction: Vec3<Unit>,
+    candidates: &Candidates,
     part: &mut Part,
     observer: &mut impl Observer,
 ) -> Color<Radiance> {
     observer.ray(RayKind::Eye);
     let mut walk = Walk {
-        surface: Surface::ahead_of(*ray),
+        surface: Surface::ahead_of(Ray {
+            origin: Point::near(scene.settings.camera.eye),
+            direction,
+            start: Start::NOWHERE,
+        }),
         kin: Kin::EYE,
         radiance: Color::<Radiance>::BLACK,
     };
@@ -83,7 +87,7 @@ pub(crate) fn trace(
         walk.surface.make_unit();
     }
     let ray = walk.surface.ray();
-    let hit = match candidates.objects {
+    let hit = match candidates.objects() {
         Some([]) => None,
         Some(objects) => intersect::nearest_of(objects, scene, ray, part, observer),
         None => intersect::nearest(scene, ray, part, observer),
