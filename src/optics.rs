@@ -2,17 +2,16 @@
 
 use crate::Vec3;
 use crate::num::{Length, Product, Square, Unit, inverse_length, wide};
-use crate::vector::round_unit;
+use crate::vector::{round_unit, scaled};
 
 /// `V - 2 n (n·V)`, of which the second term may be 2 long.
 ///
 /// `normal` faces the ray and `cosine` is `-V · n`, not negative.
 #[inline]
 pub(crate) fn mirrored(view: Vec3<Unit>, normal: Vec3<Unit>, cosine: Unit) -> Vec3<Unit> {
-    view.zip(normal, |v, n| {
-        v.wrapping_add(round_unit(n.product(cosine).to_bits(), 29))
-    })
-    .renormalized()
+    let turn = scaled::<29>(normal, cosine.to_bits());
+    view.zip(turn.map(Unit::from_bits), Unit::wrapping_add)
+        .renormalized()
 }
 
 /// `η V + (η c - sqrt(k)) n` with `k = 1 - η² (1 - c²)`; `None`, total internal

@@ -118,15 +118,11 @@ impl Vec3<Length> {
 #[inline(always)]
 pub(crate) fn normalize(v: Vec3<i32>, inverse: InverseLength) -> Vec3<Unit> {
     // The vector is shifted to a length of 2^30 to 2^31, so that the product
-    // with the reciprocal has the result in its upper half. The reciprocal less
-    // 2 fits a signed word, for which chips have a multiply.
+    // with the reciprocal has the result in its upper half.
     let shift = inverse.half_shift.wrapping_sub(1) & 31;
-    let less_two = inverse.inverse as i32;
-    v.map(|c| {
-        let c = c << shift;
-        let product = (c.product(less_two) + (1 << 31)) >> 32;
-        Unit::from_bits(c + product as i32)
-    })
+    let Vec3 { x, y, z } = v.map(|c| c << shift);
+    let [x, y, z] = long_multiply::reduced([x, y, z], inverse.inverse);
+    Vec3::new(x, y, z).map(Unit::from_bits)
 }
 
 /// How many bits a number has.
@@ -178,7 +174,7 @@ impl Vec3<Unit> {
     /// This direction, `distance` long: `I2F30 * I4F28 -> I4F28`, rounded.
     #[inline(always)]
     pub(crate) fn times(self, distance: Length) -> Vec3<Length> {
-        self.map(|c| round_length(c.product(distance).to_bits(), 30))
+        scaled::<30>(self, distance.to_bits()).map(Length::from_bits)
     }
 
     /// The unit vector along it; its length must be below 2.
@@ -205,6 +201,14 @@ impl Vec3<Unit> {
             Unit::from_bits(c.to_bits() + step)
         })
     }
+}
+
+/// A vector times a number, over 2^`SHIFT`, rounded.
+#[inline(always)]
+pub(crate) fn scaled<const SHIFT: u32>(v: Vec3<Unit>, by: i32) -> Vec3<i32> {
+    let Vec3 { x, y, z } = v.map(Unit::to_bits);
+    let [x, y, z] = long_multiply::scaled::<SHIFT>([x, y, z], by);
+    Vec3::new(x, y, z)
 }
 
 /// The high word of a product: its low 32 bits are left out.

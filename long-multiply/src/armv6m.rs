@@ -83,6 +83,143 @@ pub(crate) fn mixed(a: i32, b: u32) -> i64 {
     i64::from(high) << 32 | i64::from(low)
 }
 
+/// Instructions that multiply a register by r4 and r3, the lower and the upper half of a
+/// number, and round the product's upper part into the register. Halves are signed, the
+/// lower one too, so that all but the product of the upper ones fits 32 bits:
+/// `(al bl) / 2^16 + al bh + ah bl`. What a shift leaves in the carry rounds. r7 is 0.
+macro_rules! multiply_rounded {
+    ($x:literal, $up:literal, $down:literal) => {
+        concat!(
+            "sxth r6, ",
+            $x,
+            "\n",
+            "asrs ",
+            $x,
+            ", ",
+            $x,
+            ", #16\n",
+            "adcs ",
+            $x,
+            ", r7\n",
+            "movs r5, r6\n",
+            "muls r5, r4, r5\n", // al bl
+            "asrs r5, r5, #16\n",
+            "muls r6, r3, r6\n", // al bh
+            "adds r5, r5, r6\n",
+            "movs r6, ",
+            $x,
+            "\n",
+            "muls r6, r4, r6\n", // ah bl
+            "adds r5, r5, r6\n",
+            "muls ",
+            $x,
+            ", r3, ",
+            $x,
+            "\n", // ah bh
+            $up,
+            "\n",
+            "asrs r5, r5, #",
+            $down,
+            "\n",
+            "adcs ",
+            $x,
+            ", r5\n",
+        )
+    };
+}
+
+/// A function that multiplies each of r0, r1 and r2 by r3 and keeps r6 and up.
+macro_rules! vector_routine {
+    ($name:ident, $x:expr, $y:expr, $z:expr) => {
+        #[unsafe(naked)]
+        extern "C" fn $name() {
+            naked_asm!(
+                "push {{r6, r7}}",
+                "movs r7, #0",
+                "sxth r4, r3",
+                "asrs r3, r3, #16",
+                "adcs r3, r7",
+                $x,
+                $y,
+                $z,
+                "pop {{r6, r7}}",
+                "bx lr",
+            )
+        }
+    };
+}
+
+vector_routine!(
+    scale_29,
+    multiply_rounded!("r0", "lsls r0, r0, #3", "13"),
+    multiply_rounded!("r1", "lsls r1, r1, #3", "13"),
+    multiply_rounded!("r2", "lsls r2, r2, #3", "13")
+);
+vector_routine!(
+    scale_30,
+    multiply_rounded!("r0", "lsls r0, r0, #2", "14"),
+    multiply_rounded!("r1", "lsls r1, r1, #2", "14"),
+    multiply_rounded!("r2", "lsls r2, r2, #2", "14")
+);
+// r3 is less by 2^32 than what is meant, so each is added once.
+vector_routine!(
+    reduce,
+    concat!(
+        "mov r12, r0\n",
+        multiply_rounded!("r0", "", "16"),
+        "add r0, r12"
+    ),
+    concat!(
+        "mov r12, r1\n",
+        multiply_rounded!("r1", "", "16"),
+        "add r1, r12"
+    ),
+    concat!(
+        "mov r12, r2\n",
+        multiply_rounded!("r2", "", "16"),
+        "add r2, r12"
+    )
+);
+
+/// Calls a routine for vectors.
+macro_rules! call_vector {
+    ($routine:ident, $v:ident, $by:expr) => {{
+        let [mut x, mut y, mut z] = $v;
+        // SAFETY: the routine changes the named registers alone, and takes no memory but
+        // the stack. The linker may go by r12 to one far away.
+        unsafe {
+            asm!(
+                "bl {routine}",
+                routine = sym $routine,
+                inout("r0") x,
+                inout("r1") y,
+                inout("r2") z,
+                inout("r3") $by => _,
+                out("r4") _,
+                out("r5") _,
+                out("r12") _,
+                out("lr") _,
+                options(pure, nomem),
+            );
+        }
+        [x, y, z]
+    }};
+}
+
+#[inline(always)]
+pub(crate) fn scaled<const SHIFT: u32>(v: [i32; 3], by: i32) -> [i32; 3] {
+    if SHIFT == 29 {
+        call_vector!(scale_29, v, by)
+    } else {
+        call_vector!(scale_30, v, by)
+    }
+}
+
+#[inline(always)]
+pub(crate) fn reduced(v: [i32; 3], by: u32) -> [i32; 3] {
+    call_vector!(reduce, v, by)
+}
+
 #[inline(always)]
 pub(crate) fn middle(a: u32, b: u32) -> u32 {
     let (al, ah, bl, bh) = (a & 0xffff, a >> 16, b & 0xffff, b >> 16);

@@ -36,6 +36,20 @@ pub fn mixed(a: i32, b: u32) -> i64 {
     words::mixed(a, b)
 }
 
+/// Each of `v` times `by`, over 2^`SHIFT`, rounded half up: of which the lower 32 bits.
+/// `SHIFT` is 29 or 30.
+#[inline(always)]
+pub fn scaled<const SHIFT: u32>(v: [i32; 3], by: i32) -> [i32; 3] {
+    const { assert!(SHIFT == 29 || SHIFT == 30) };
+    words::scaled::<SHIFT>(v, by)
+}
+
+/// Each of `v` times `by`, which is 2^31 at least, over 2^32, rounded half up.
+#[inline(always)]
+pub fn reduced(v: [i32; 3], by: u32) -> [i32; 3] {
+    words::reduced(v, by)
+}
+
 /// How many zeros `x` begins with: 0 to 32.
 #[inline(always)]
 pub fn leading_zeros(x: u32) -> u32 {

@@ -19,6 +19,17 @@ pub(crate) fn square(a: i32) -> i64 {
 }
 
 #[inline(always)]
+pub(crate) fn scaled<const SHIFT: u32>(v: [i32; 3], by: i32) -> [i32; 3] {
+    v.map(|c| ((signed(c, by) + (1 << (SHIFT - 1))) >> SHIFT) as i32)
+}
+
+#[inline(always)]
+pub(crate) fn reduced(v: [i32; 3], by: u32) -> [i32; 3] {
+    // Less 2^32 it fits a signed word, for which chips have a multiply.
+    v.map(|c| c.wrapping_add(((signed(c, by as i32) + (1 << 31)) >> 32) as i32))
+}
+
+#[inline(always)]
 pub(crate) fn leading_zeros(x: u32) -> u32 {
     x.leading_zeros()
 }

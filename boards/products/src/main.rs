@@ -56,12 +56,24 @@ fn holds(a: u32, b: u32) -> Result<(), (u32, u32)> {
     let (p, q) = (black_box(i64::from(i)), black_box(u64::from(a)));
     let c = a >> 11;
     let d = black_box(u64::from(c));
+    let v = [i, j, i.wrapping_sub(j)];
+    let scaled = |shift: u32, by: i32| {
+        let half = black_box(1_i64 << (shift - 1));
+        v.map(|c| ((i64::from(c) * i64::from(by) + half) >> shift) as i32)
+    };
+    let upper = b | 1 << 31;
+    let half = black_box(1_i64 << 31);
+    let reduced = v.map(|c| ((i64::from(c) * i64::from(upper) + half) >> 32) as i32);
     let right = long_multiply::signed(i, j) == p * i64::from(j)
         && long_multiply::unsigned(a, b) == q * u64::from(b)
         && long_multiply::mixed(i, b) == p * i64::from(b)
         && long_multiply::square(i) == p * i64::from(i)
         && long_multiply::middle(a, b) == ((q * u64::from(b)) >> 16) as u32
         && long_multiply::square_of_21_bits(c) == ((d * u64::from(c)) >> 10) as u32
+        && long_multiply::scaled::<29>(v, j) == scaled(29, j)
+        && long_multiply::scaled::<30>(v, j) == scaled(30, j)
+        && long_multiply::scaled::<30>(v, i) == scaled(30, i)
+        && long_multiply::reduced(v, upper) == reduced
         && long_multiply::leading_zeros(a) == black_box(a).leading_zeros();
     right.then_some(()).ok_or((a, b))
 }
