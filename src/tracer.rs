@@ -43,7 +43,12 @@ impl Kin {
     /// A ray that follows with a share of the weight, if that counts.
     #[inline(always)]
     fn child(&self, share: Color<Weight>, kind: RayKind, settings: &Settings) -> Option<Self> {
-        let weight = self.weight.shared(share);
+        // All but the last step of what an eye ray has is the share itself.
+        let weight = if self.generation == 0 {
+            share
+        } else {
+            self.weight.shared(share)
+        };
         let too_little =
             u32::from(settings.min_weight.saturating_sub(Factor::DELTA).to_bits()) << 15;
         let counts = !weight.all(|w| w.to_bits() <= too_little);

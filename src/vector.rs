@@ -165,6 +165,12 @@ impl Vec3<Unit> {
         )
     }
 
+    /// The square of the length.
+    #[inline(always)]
+    fn squared(self) -> I4F60 {
+        self.x.square() + self.y.square() + self.z.square()
+    }
+
     /// The cosine between two unit vectors.
     #[inline(always)]
     pub(crate) fn cosine(self, other: Self) -> Unit {
@@ -180,8 +186,7 @@ impl Vec3<Unit> {
     /// The unit vector along it; its length must be below 2.
     #[inline(always)]
     pub(crate) fn unit(self) -> Self {
-        let square = self.map(Unit::square);
-        let inverse = inverse_length((square.x + square.y + square.z).to_bits() as u64);
+        let inverse = inverse_length(self.squared().to_bits() as u64);
         normalize(self.map(Unit::to_bits), inverse)
     }
 
@@ -191,7 +196,7 @@ impl Vec3<Unit> {
     #[inline]
     pub(crate) fn renormalized(self) -> Self {
         // Q60 -> Q30, a word of few bits
-        let square = (((self.dot(self).to_bits() >> 29) as u32).wrapping_add(1) >> 1) as i32;
+        let square = (((self.squared().to_bits() >> 29) as u32).wrapping_add(1) >> 1) as i32;
         let excess = (1_i32 << 30).wrapping_sub(square);
         self.map(|c| {
             let step = (c.to_bits() >> 16)
