@@ -116,6 +116,8 @@ impl Nature {
     pub(crate) const OPEN: Self = Self(8);
     /// Nothing else reaches into it: a sphere that lets light through.
     pub(crate) const ALONE: Self = Self(16);
+    /// Its normal is y: a floor.
+    pub(crate) const LEVEL: Self = Self(32);
 
     /// This, and the other if that is so.
     pub(crate) fn and(self, other: Self, is_so: bool) -> Self {

@@ -4,6 +4,8 @@
 
 use core::ptr;
 
+use long_multiply::IS_CALL;
+
 use crate::intersect::{Hit, Part};
 use crate::num::{
     Factor, Intensity, Product, Radiance, Square, Unit, Weight, inverse_length, leading_zeros,
@@ -76,7 +78,11 @@ impl<'s> Surface<'s> {
                 part.normal
             }
         };
-        let cosine = ray.direction.cosine(normal);
+        let cosine = if IS_CALL && object.nature.is(Nature::LEVEL) {
+            ray.direction.y
+        } else {
+            ray.direction.cosine(normal)
+        };
         let inward = cosine > Unit::ZERO;
         ray.origin = point;
         ray.start = Start::new(hit.object, path, inward, object.nature);
@@ -190,7 +196,12 @@ impl<'s> Surface<'s> {
         };
         // To the light, in steps of the point's shift.
         let way = self.ray.origin.to(light.position);
-        let along = way.along(self.normal).to_bits();
+        let start = &self.ray.start;
+        let along = if IS_CALL && start.nature.is(Nature::LEVEL) && !start.inward {
+            i64::from(way.y.to_bits()) << 30
+        } else {
+            way.along(self.normal).to_bits()
+        };
         if along <= 0 {
             return;
         }

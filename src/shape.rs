@@ -52,7 +52,8 @@ impl Shape {
             Self::Sphere(_) => finite.and(Nature::LEFT_OUTWARD, true),
             Self::Plane(plane) => Nature::LEFT_OUTWARD
                 .and(Nature::LEFT_INWARD, true)
-                .and(Nature::OPEN, plane.bounds.is_some()),
+                .and(Nature::OPEN, plane.bounds.is_some())
+                .and(Nature::LEVEL, plane.is_level()),
             Self::Quadric(quadric) => Nature::NONE
                 .and(Nature::FINITE, !quadric.is_endless())
                 .and(Nature::OPEN, quadric.is_open()),

@@ -265,34 +265,40 @@ pub(crate) fn square(a: i32) -> i64 {
     i64::from(high) << 32 | i64::from(low)
 }
 
-/// By halves, bytes and nibbles, and a table for what is left.
+/// By bytes, and a table for the first that is not 0.
 #[unsafe(naked)]
 extern "C" fn count_leading_zeros() {
     naked_asm!(
-        "movs r1, #0",
-        "lsrs r2, r0, #16",
-        "bne 1f",
-        "movs r1, #16",
-        "lsls r0, r0, #16",
-        "1:",
-        "lsrs r2, r0, #24",
-        "bne 2f",
-        "adds r1, #8",
-        "lsls r0, r0, #8",
-        "2:",
-        "lsrs r2, r0, #28",
-        "bne 3f",
-        "adds r1, #4",
-        "lsls r0, r0, #4",
-        "3:",
-        "lsrs r0, r0, #28",
         "adr r2, 4f",
+        "lsrs r1, r0, #24",
+        "bne 1f",
+        "lsrs r1, r0, #16",
+        "bne 2f",
+        "lsrs r1, r0, #8",
+        "bne 3f",
         "ldrb r0, [r2, r0]",
-        "adds r0, r0, r1",
+        "adds r0, #24",
+        "bx lr",
+        "1:",
+        "ldrb r0, [r2, r1]",
+        "bx lr",
+        "2:",
+        "ldrb r0, [r2, r1]",
+        "adds r0, #8",
+        "bx lr",
+        "3:",
+        "ldrb r0, [r2, r1]",
+        "adds r0, #16",
         "bx lr",
         ".p2align 2",
         "4:",
-        ".byte 4, 3, 2, 2, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0",
+        ".byte 8, 7, 6, 6",
+        ".fill 4, 1, 5",
+        ".fill 8, 1, 4",
+        ".fill 16, 1, 3",
+        ".fill 32, 1, 2",
+        ".fill 64, 1, 1",
+        ".fill 128, 1, 0",
     )
 }
 

@@ -107,6 +107,12 @@ impl Plane {
         self.is_near
     }
 
+    /// Whether the normal is y.
+    pub(crate) fn is_level(&self) -> bool {
+        let n = self.normal;
+        n.x == Unit::ZERO && n.y == Unit::ONE && n.z == Unit::ZERO
+    }
+
     /// How far behind the plane a point is, in the point's steps; negative in
     /// front, where the normal points.
     #[inline]
