@@ -39,6 +39,7 @@ impl Report {
 /// Instructions and stack are those of the frame that is drawn: whatever the
 /// stopwatch has seen before, such as the decoding of the scene, then tracing,
 /// conversion to the display's colors, and the display's driver.
+#[inline(never)]
 pub fn draw<D>(
     renderer: &mut Renderer<'_>,
     target: &mut D,

@@ -14,7 +14,9 @@ pub struct Job<'b> {
 }
 
 impl<'b> Job<'b> {
-    /// The one on the command line, read into the buffer.
+    /// The one on the command line, read into the buffer. Not inlined, as the line takes
+    /// 512 bytes of stack.
+    #[inline(never)]
     pub fn read(buffer: &'b mut [u8]) -> Result<Self, Failure> {
         let mut command_line = [0; 512];
         let (size, path) = host::command_line(&mut command_line)
