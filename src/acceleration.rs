@@ -7,7 +7,7 @@
 use heapless::VecView;
 
 use crate::Vec3;
-use crate::num::{Length, Square};
+use crate::num::{Length, Product, Square, square_root};
 use crate::prepared::{Light, Material, Object};
 use crate::ray::{Nature, Point};
 use crate::shape::{Around, Bound, Shape, Sight};
@@ -52,6 +52,68 @@ pub(crate) fn look(light: &mut Light, objects: &[Object], endless: &[u16], sight
         is_walled |= endless.iter().any(|number| parts(number, &bound));
     }
     light.is_walled = is_walled;
+}
+
+/// Notes of which spheres nothing can hide from a light what faces it.
+pub(crate) fn unveil(light: &Light, objects: &mut [Object]) {
+    let position = light.position;
+    for index in 0..objects.len() {
+        let Some(Shape::Sphere(sphere)) = objects.get(index).map(|object| &object.shape) else {
+            continue;
+        };
+        let bound = sphere.bounding_sphere();
+        let Some(outline) = Outline::new(position, &bound) else {
+            continue;
+        };
+        let mut others = objects
+            .iter()
+            .enumerate()
+            .filter(|(other, _)| *other != index);
+        let is_in_view = others.all(|(_, other)| match other.shape.bounding_sphere() {
+            Some(other) => Outline::new(position, &other).is_some_and(|it| !it.may_hide(&outline)),
+            None => !may_part(&other.shape, position, &bound),
+        });
+        if let Some(object) = objects.get_mut(index) {
+            object.nature = object.nature.and(light.in_view, is_in_view);
+        }
+    }
+}
+
+/// A bound as a point outside of it sees it.
+struct Outline {
+    to_center: Vec3<Length>,
+    radius: Length,
+    /// From the point to where lines touch the bound: what faces it is no farther away.
+    tangent: Length,
+}
+
+impl Outline {
+    /// `None` from within.
+    fn new(point: Vec3<Length>, bound: &Bound) -> Option<Self> {
+        let to_center = bound.center - point;
+        let squared = to_center.squared() - bound.radius.square();
+        // Q56 -> Q28
+        let tangent = || Length::from_bits(square_root(squared.to_bits() as u64) as i32);
+        (squared > 0).then(|| Self {
+            to_center,
+            radius: bound.radius,
+            tangent: tangent(),
+        })
+    }
+
+    /// Whether it may be in front of what of a sphere faces the point.
+    fn may_hide(&self, sphere: &Self) -> bool {
+        /// More than all roundings.
+        const MARGIN: Length = Length::lit("0.00001");
+        // The cosine of the angle between both next to `cos(a + b)` of half of what each
+        // fills: multiplied by both distances.
+        let between = self.to_center.dot(sphere.to_center);
+        let together = self.tangent.product(sphere.tangent) - self.radius.product(sphere.radius);
+        let is_aside = between + MARGIN.product(Length::ONE) < together;
+        let beyond = sphere.tangent + self.radius + MARGIN;
+        let is_behind = self.to_center.squared() > beyond.square();
+        !is_aside && !is_behind
+    }
 }
 
 /// Notes which spheres of glass nothing else reaches into: rays inside of them need look
@@ -117,6 +179,8 @@ fn may_part(endless: &Shape, point: Vec3<Length>, bound: &Bound) -> bool {
 
 #[cfg(test)]
 mod tests {
+    use fastrand::Rng;
+
     use super::*;
     use crate::Color;
     use crate::num::{Unit, Weight};
@@ -158,5 +222,101 @@ mod tests {
         assert_eq!(alone([left, floor(0.25)]), [false, false]);
         assert_eq!(alone([left, floor(-0.1)]), [false, false]);
         assert_eq!(alone([sphere(0.0, OPAQUE)]), [false]);
+    }
+
+    /// Which objects a light at some x has in view.
+    fn in_view<const N: usize>(mut objects: [Object; N], x: f64) -> [bool; N] {
+        let light = Light {
+            position: Vec3::new(Length::from_num(x), Length::ZERO, Length::ZERO),
+            in_view: Nature::in_view(3),
+            ..Light::default()
+        };
+        unveil(&light, &mut objects);
+        objects.map(|object| object.nature.is(light.in_view))
+    }
+
+    #[test]
+    fn nothing_hides_what_is_before_all_else() {
+        let (left, right) = (sphere(-0.5, OPAQUE), sphere(0.5, OPAQUE));
+        assert_eq!(
+            in_view([left, right, floor(-0.5)], -1.0),
+            [true, false, false]
+        );
+        assert_eq!(in_view([left, right], 0.0), [true, true]);
+        // Between, within, and touched by something endless.
+        assert_eq!(in_view([left, right], -0.5), [false, false]);
+        assert_eq!(in_view([left, floor(0.125)], 1.0), [false, false]);
+        assert_eq!(in_view([left, floor(-0.26)], 1.0), [true, false]);
+        assert!(!Nature::in_view(8).is(Nature::in_view(7)));
+    }
+
+    /// What of a sphere in view faces the light is seen from there, by exact arithmetic.
+    #[test]
+    fn what_is_in_view_is_lit() {
+        let random = &mut Rng::with_seed(1);
+        let (mut points, mut hidden) = (0, 0);
+        for _ in 0..if cfg!(miri) { 30 } else { 3000 } {
+            let mut c = |reach: f64| Length::from_num((2.0 * random.f64() - 1.0) * reach);
+            let light = Light {
+                position: Vec3::new(c(1.0), c(1.0), c(1.0)),
+                in_view: Nature::in_view(0),
+                ..Light::default()
+            };
+            let mut spheres = [(); 5].map(|()| {
+                let center = Vec3::new(c(0.8), c(0.8), c(0.8));
+                let sphere = Sphere::new(center, c(0.3).abs() + Length::lit("0.001"));
+                Object::new(Shape::Sphere(sphere), Texture::Uniform(OPAQUE))
+            });
+            unveil(&light, &mut spheres);
+            for (number, object) in spheres.iter().enumerate() {
+                let Some(bound) = object.shape.bounding_sphere() else {
+                    continue;
+                };
+                let [l, b] = [light.position, bound.center].map(exact);
+                let radius: f64 = bound.radius.to_num();
+                for _ in 0..30 {
+                    let v = [(); 3].map(|()| random.f64() - 0.5);
+                    let length = dot(v, v).sqrt();
+                    let n = v.map(|c| c / length);
+                    let point = [0, 1, 2].map(|i| b[i] + n[i] * radius);
+                    let way = [0, 1, 2].map(|i| point[i] - l[i]);
+                    if dot(way, n) > 0.0 {
+                        continue;
+                    }
+                    let others = spheres
+                        .iter()
+                        .enumerate()
+                        .filter(|(other, _)| *other != number);
+                    let is_hidden = others
+                        .filter_map(|(_, other)| other.shape.bounding_sphere())
+                        .any(|other| is_between(l, way, &other));
+                    let is_in_view = object.nature.is(light.in_view);
+                    assert!(!is_in_view || !is_hidden, "{light:?} {spheres:?}");
+                    points += i32::from(is_in_view);
+                    hidden += i32::from(is_hidden);
+                }
+            }
+        }
+        assert!(
+            points > 1000 && hidden > 1000,
+            "{points} in view, {hidden} hidden"
+        );
+    }
+
+    fn exact(v: Vec3<Length>) -> [f64; 3] {
+        [v.x, v.y, v.z].map(|c| c.to_num())
+    }
+
+    fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+        a.iter().zip(b).map(|(a, b)| a * b).sum()
+    }
+
+    /// Whether a sphere is on the way from a point.
+    fn is_between(from: [f64; 3], way: [f64; 3], sphere: &Bound) -> bool {
+        let center = exact(sphere.center);
+        let to_center = [0, 1, 2].map(|i| center[i] - from[i]);
+        let share = (dot(to_center, way) / dot(way, way)).clamp(0.0, 1.0);
+        let off = [0, 1, 2].map(|i| to_center[i] - share * way[i]);
+        dot(off, off).sqrt() < sphere.radius.to_num::<f64>()
     }
 }

@@ -2,9 +2,10 @@
 
 use heapless::Vec;
 
-use crate::acceleration::{Index, look, seclude};
+use crate::acceleration::{Index, look, seclude, unveil};
 use crate::error::Full;
 use crate::prepared::{Light, Material, Object, Room, Settings, Sights};
+use crate::ray::Nature;
 use crate::shape::{Around, Sight};
 use crate::{Camera, DecodeError, PreparedScene, Real, Scene, SceneError, compiled, prepare};
 
@@ -92,6 +93,10 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize>
         for light in &mut self.lights {
             let own = sights.next().unwrap_or_default();
             look(light, &self.objects, &self.endless, own);
+        }
+        for (light, number) in self.lights.iter_mut().zip(0..) {
+            light.in_view = Nature::in_view(number);
+            unveil(light, &mut self.objects);
         }
         PreparedScene {
             sights: Sights {

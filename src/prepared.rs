@@ -157,6 +157,9 @@ pub(crate) struct Light {
     pub(crate) specular: Color<Factor>,
     /// Whether something endless may be between it and something finite.
     pub(crate) is_walled: bool,
+    /// What objects are of which nothing hides from it what faces it; none if there are
+    /// many lights before it.
+    pub(crate) in_view: Nature,
 }
 
 /// What a surface does to light.

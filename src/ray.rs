@@ -100,9 +100,9 @@ pub(crate) struct Start {
     pub(crate) nature: Nature,
 }
 
-/// What an object is to the rays that start on it: a byte, as each ray has one.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Nature(u8);
+/// What an object is to the rays that start on it: few bits, as each ray has them.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Nature(u16);
 
 impl Nature {
     /// Of nothing.
@@ -118,6 +118,18 @@ impl Nature {
     pub(crate) const ALONE: Self = Self(16);
     /// Its normal is y: a floor.
     pub(crate) const LEVEL: Self = Self(32);
+    /// Nothing hides from the first light what of it faces that; the bits above are for
+    /// the lights that follow.
+    const IN_VIEW: Self = Self(256);
+
+    /// That nothing hides from a light what of it faces that: told of eight lights.
+    pub(crate) fn in_view(light: usize) -> Self {
+        if light < 8 {
+            Self(Self::IN_VIEW.0 << light)
+        } else {
+            Self::NONE
+        }
+    }
 
     /// This, and the other if that is so.
     pub(crate) fn and(self, other: Self, is_so: bool) -> Self {

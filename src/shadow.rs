@@ -39,6 +39,10 @@ impl ShadowRay<'_> {
         observer: &mut impl Observer,
     ) -> bool {
         observer.ray(RayKind::Shadow);
+        let start = &self.ray.start;
+        if start.nature.is(self.light.in_view) && !start.inward {
+            return true;
+        }
         observer.bounds(scene.finite.len() as u32);
         let own = self.ray.start.left;
         let direction = narrowed(self.way.map(Length::to_bits), self.inverse);

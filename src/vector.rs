@@ -75,6 +75,11 @@ impl<T: Neg<Output = T>> Neg for Vec3<T> {
 }
 
 impl Vec3<Length> {
+    /// The dot product with another such vector.
+    pub(crate) fn dot(self, other: Self) -> I8F56 {
+        self.x.product(other.x) + self.y.product(other.y) + self.z.product(other.z)
+    }
+
     /// The length along a direction, exact: `I4F28 * I2F30 -> I6F58`.
     #[inline(always)]
     pub(crate) fn along(self, direction: Vec3<Unit>) -> I6F58 {
