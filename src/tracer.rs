@@ -79,57 +79,87 @@ pub(crate) fn trace(
     observer: &mut impl Observer,
 ) -> Color<Radiance> {
     observer.ray(RayKind::Eye);
-    let mut walk = Walk {
-        surface: Surface::ahead_of(Ray {
+    let radiance = if let Some([]) = candidates.objects() {
+        missed(scene, direction, candidates, observer)
+    } else {
+        let ray = Ray {
             origin: Point::near(scene.settings.camera.eye),
             direction,
             start: Start::NOWHERE,
-        }),
+        };
+        look(scene, ray, candidates, part, observer)
+    };
+    if scene.settings.exposure == 0 {
+        return radiance;
+    }
+    radiance.brightened(scene.settings.exposure.into())
+}
+
+/// The same for a ray that may meet something.
+#[inline(always)]
+fn look(
+    scene: &PreparedScene<'_>,
+    ray: Ray,
+    candidates: &Candidates,
+    part: &mut Part,
+    observer: &mut impl Observer,
+) -> Color<Radiance> {
+    let mut walk = Walk {
+        surface: Surface::ahead_of(ray),
         kin: Kin::EYE,
         radiance: Color::<Radiance>::BLACK,
     };
+    let surface = &mut walk.surface;
     if !candidates.are_flat {
-        walk.surface.make_unit();
+        surface.make_unit();
     }
-    let ray = walk.surface.ray();
     let hit = match candidates.objects() {
-        Some([]) => None,
-        Some(objects) => intersect::nearest_of(objects, scene, ray, part, observer),
-        None => intersect::nearest(scene, ray, part, observer),
+        Some(objects) => intersect::nearest_of(objects, scene, surface.ray(), part, observer),
+        None => intersect::nearest(scene, surface.ray(), part, observer),
     };
-    if let Some(hit) = hit {
-        walk.surface.meet(scene, hit, part);
-        if candidates.are_flat && !walk.surface.is_matte() {
-            walk.surface.look_closely();
+    let Some(hit) = hit else {
+        return missed(scene, surface.ray().direction, candidates, observer);
+    };
+    surface.meet(scene, hit, part);
+    if candidates.are_flat && !surface.is_matte() {
+        surface.look_closely();
+    }
+    surface.local(scene, &mut walk.radiance, observer);
+    tell(observer, scene, Some(surface), walk.kin, walk.radiance);
+    if surface.branches() && scene.settings.max_depth > 0 {
+        if scene.settings.is_opaque {
+            walk.climb(scene, &mut Vec::<Branch, 0>::new(), part, observer);
+        } else if usize::from(scene.settings.max_depth) <= FEW {
+            walk.climb_through_glass::<FEW>(scene, part, observer);
+        } else {
+            walk.climb_through_glass::<{ MAX_DEPTH as usize }>(scene, part, observer);
         }
-        walk.surface.local(scene, &mut walk.radiance, observer);
-        tell(
-            observer,
-            scene,
-            Some(&walk.surface),
-            walk.kin,
-            walk.radiance,
-        );
-        if walk.surface.branches() && scene.settings.max_depth > 0 {
-            if scene.settings.is_opaque {
-                walk.climb(scene, &mut Vec::<Branch, 0>::new(), part, observer);
-            } else if usize::from(scene.settings.max_depth) <= FEW {
-                walk.climb_through_glass::<FEW>(scene, part, observer);
-            } else {
-                walk.climb_through_glass::<{ MAX_DEPTH as usize }>(scene, part, observer);
-            }
-        }
+    }
+    walk.radiance
+}
+
+/// The same for a ray that hits nothing.
+#[inline(always)]
+fn missed(
+    scene: &PreparedScene<'_>,
+    direction: Vec3<Unit>,
+    candidates: &Candidates,
+    observer: &mut impl Observer,
+) -> Color<Radiance> {
+    let height = if candidates.are_flat && scene.settings.is_gradient {
+        height(direction)
     } else {
-        if candidates.are_flat && scene.settings.is_gradient {
-            walk.surface.look_closely();
-        }
-        walk.radiance = background(&scene.settings, walk.surface.ray().direction.y);
-        tell(observer, scene, None, walk.kin, walk.radiance);
-    }
-    if scene.settings.exposure == 0 {
-        return walk.radiance;
-    }
-    walk.radiance.brightened(scene.settings.exposure.into())
+        direction.y
+    };
+    let radiance = background(&scene.settings, height);
+    tell(observer, scene, None, Kin::EYE, radiance);
+    radiance
+}
+
+/// That of a direction that is no unit vector.
+#[inline(never)]
+fn height(direction: Vec3<Unit>) -> Unit {
+    direction.unit().y
 }
 
 /// A walk through the tree of rays: where it is, and what it found.
