@@ -22,7 +22,8 @@ pub(crate) const MAX_SIDE: u32 = u16::MAX as u32;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct View {
     eye: Vec3<Length>,
-    forward: Vec3<i64>,
+    /// `f + X r` of the first column.
+    left: Vec3<i64>,
     /// `g r`: half a pixel to the right.
     right: Vec3<i64>,
     /// `-g u`: half a pixel down.
@@ -55,10 +56,13 @@ impl View {
         // I2F30 * (U6F58 as a 32-bit mantissa) -> Q62
         let half_pixel =
             |c: Unit| (i64::from(c.to_bits()) * g_mantissa) >> g_shift.saturating_sub(6);
+        let forward = camera.forward.map(|c| c.to_bits().product(scale) << 1);
+        let right = camera.right.map(half_pixel);
+        let first = 1 - i64::from(width);
         Self {
             eye: camera.eye,
-            forward: camera.forward.map(|c| c.to_bits().product(scale) << 1),
-            right: camera.right.map(half_pixel),
+            left: forward.zip(right, |f, r| f.wrapping_add(r.wrapping_mul(first))),
+            right,
             down: camera.up.map(|c| -half_pixel(c)),
             half_pixel: g,
             width,
@@ -79,11 +83,9 @@ impl View {
     #[inline(never)]
     pub(crate) fn line(&self, y: u32) -> Line {
         let down = 2 * i64::from(y.min(MAX_SIDE)) + 1 - i64::from(self.height);
-        let left = 1 - i64::from(self.width);
         // Half a step of a direction, which is then rounded by what is cut off.
         let first = self
-            .forward
-            .zip(self.right, |f, r| f.wrapping_add(r.wrapping_mul(left)))
+            .left
             .zip(self.down, |f, d| f.wrapping_add(d.wrapping_mul(down)))
             .map(|c| c.wrapping_add(1 << 31));
         Line {
@@ -124,8 +126,7 @@ impl View {
             ahead: forward.zip(up, |f, u| sum(f, cosine, u, sine)),
             aside: up.zip(forward, |u, f| sum(u, cosine, f, -sine)),
             right: camera.right,
-            stretch: stretch.length(),
-            half_pixel: self.half_pixel,
+            scale: quotient(stretch.length().into(), self.half_pixel),
             width: self.width as u16,
         }
     }
@@ -141,9 +142,8 @@ pub(crate) struct Row {
     pub(crate) right: Vec3<Unit>,
     /// The directions of the first and the last ray, not of unit length.
     ends: [Vec3<Unit>; 2],
-    /// `sqrt(1 + Y²)`, Q24.
-    stretch: u32,
-    half_pixel: u64,
+    /// `sqrt(1 + Y²)`, Q24, in half pixels.
+    scale: Scaled,
     pub(crate) width: u16,
 }
 
@@ -152,9 +152,12 @@ impl Row {
     pub(crate) fn may_meet(&self, plane: &Plane) -> bool {
         /// More than what rounding a direction does to a cosine: Q60.
         const MARGIN: i64 = 1 << 34;
-        let side = plane.depth(Point::near(self.eye)).signum();
-        let approaches = |end: Vec3<Unit>| side * end.dot(plane.normal).to_bits() > -MARGIN;
-        side != 0 && self.ends.into_iter().any(approaches)
+        let depth = plane.depth(Point::near(self.eye));
+        let approaches = |end: Vec3<Unit>| {
+            let along = end.dot(plane.normal).to_bits();
+            depth > 0 && along > -MARGIN || depth < 0 && along < MARGIN
+        };
+        self.ends.into_iter().any(approaches)
     }
 
     /// The column of the ray that is `n / d` as far to the right as it is ahead,
@@ -165,12 +168,10 @@ impl Row {
             return self.width / 2;
         }
         let ratio = quotient(n.unsigned_abs(), d);
-        let stretched = ratio.mantissa.product(self.stretch);
-        let pixels = quotient(stretched, self.half_pixel);
-        // 2^30 n / d, then Q24 / Q58 and 2^30 once more: in half pixels.
+        // 2^30 n / d times 2^30 Q24 / Q58, less 2^32: in half pixels.
         let pixels = Scaled {
-            exponent: pixels.exponent + ratio.exponent - 26,
-            ..pixels
+            mantissa: (wide(ratio.mantissa, self.scale.mantissa) >> 32) as u32,
+            exponent: ratio.exponent + self.scale.exponent + 6,
         };
         let pixels = if pixels.exponent > -8 {
             1 << 24
@@ -214,7 +215,9 @@ impl Line {
     pub(crate) fn through(mut self, columns: Columns) -> Self {
         let Columns { from, to, spacing } = columns;
         let to = to.min(self.remaining);
-        self.pass(from);
+        if from > 0 {
+            self.pass(from);
+        }
         let round_up = (1 << spacing) - 1;
         Self {
             step: self.step.map(|s| s << spacing),
