@@ -18,8 +18,8 @@ mod decimal;
 mod product;
 
 pub(crate) use decimal::Decimal;
-use long_multiply::square_of_21_bits;
 pub(crate) use long_multiply::{leading_zeros, middle};
+use long_multiply::{square_of_21_bits, step};
 pub(crate) use product::{Product, Square};
 
 /// An authored number: the range and precision of a scene as it is written
@@ -269,9 +269,8 @@ pub(crate) fn reciprocal_root(x: u32) -> u32 {
 /// in 2^-47. It never leads beyond the true value, and so stays below 2.
 #[inline(always)]
 fn refined(y: u32, error: i32) -> u32 {
-    // y in 2^-30 is below 2^31, so that the product is one of signed words.
-    let step = (((y << 10) as i32).product(error)) >> 32;
-    (y << 11).wrapping_add_signed(step as i32 >> 14)
+    // The step is below 2^-15 of `y`: 16 bits of that are enough.
+    (y << 11).wrapping_add_signed(step((y >> 5) as u16, error))
 }
 
 /// The full product of two words.
@@ -312,8 +311,8 @@ impl InverseLength {
         let (high, low) = ((along >> 32) as i32, along as u32);
         let scaled = high << self.half_shift | ((low >> 1) >> (31 - self.half_shift)) as i32;
         // * U1F31, which less 2 fits a signed word, for which chips have a multiply.
-        let product = scaled.product(self.inverse as i32) + (1 << 30);
-        Unit::from_bits((scaled << 1).wrapping_add((product >> 31) as i32))
+        let product = long_multiply::upper(scaled, self.inverse as i32);
+        Unit::from_bits((scaled << 1).wrapping_add(product))
     }
 
     /// sqrt(n), relative error below 2^-29, rounded to an integer.
@@ -354,15 +353,18 @@ pub(crate) fn power(base: u32, exponent: u32) -> u32 {
     let mut result = ONE;
     let mut square = base;
     let mut integer = exponent >> 16;
-    while integer != 0 && square != 0 {
+    loop {
         if integer & 1 == 1 {
             result = multiply(result, square);
         }
-        square = multiply(square, square);
         integer >>= 1;
-    }
-    if integer != 0 {
-        return 0;
+        if integer == 0 {
+            break;
+        }
+        square = multiply(square, square);
+        if square == 0 {
+            return 0;
+        }
     }
     let mut root = base;
     let mut fraction = exponent << 16;

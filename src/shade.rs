@@ -197,8 +197,9 @@ impl<'s> Surface<'s> {
         // To the light, in steps of the point's shift.
         let way = self.ray.origin.to(light.position);
         let start = &self.ray.start;
-        let along = if IS_CALL && start.nature.is(Nature::LEVEL) && !start.inward {
-            i64::from(way.y.to_bits()) << 30
+        let along = if IS_CALL && start.nature.is(Nature::LEVEL) {
+            let up = if start.inward { -way.y } else { way.y };
+            i64::from(up.to_bits()) << 30
         } else {
             way.along(self.normal).to_bits()
         };

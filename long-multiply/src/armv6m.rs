@@ -128,6 +128,21 @@ macro_rules! multiply_rounded {
     };
 }
 
+/// Multiplies r0 by r1 into the upper bits of the product.
+#[unsafe(naked)]
+extern "C" fn multiply_upper() {
+    naked_asm!(
+        "push {{r6, r7}}",
+        "movs r7, #0",
+        "sxth r4, r1",
+        "asrs r3, r1, #16",
+        "adcs r3, r7",
+        multiply_rounded!("r0", "lsls r0, r0, #1", "15"),
+        "pop {{r6, r7}}",
+        "bx lr",
+    )
+}
+
 /// A function that multiplies each of r0, r1 and r2 by r3 and keeps r6 and up.
 macro_rules! vector_routine {
     ($name:ident, $x:expr, $y:expr, $z:expr) => {
@@ -207,6 +222,26 @@ macro_rules! call_vector {
 }
 
 #[inline(always)]
+pub(crate) fn upper(mut a: i32, b: i32) -> i32 {
+    // SAFETY: as for vectors.
+    unsafe {
+        asm!(
+            "bl {routine}",
+            routine = sym multiply_upper,
+            inout("r0") a,
+            in("r1") b,
+            out("r3") _,
+            out("r4") _,
+            out("r5") _,
+            out("r12") _,
+            out("lr") _,
+            options(pure, nomem),
+        );
+    }
+    a
+}
+
+#[inline(always)]
 pub(crate) fn scaled<const SHIFT: u32>(v: [i32; 3], by: i32) -> [i32; 3] {
     if SHIFT == 29 {
         call_vector!(scale_29, v, by)
@@ -218,6 +253,14 @@ pub(crate) fn scaled<const SHIFT: u32>(v: [i32; 3], by: i32) -> [i32; 3] {
 #[inline(always)]
 pub(crate) fn reduced(v: [i32; 3], by: u32) -> [i32; 3] {
     call_vector!(reduce, v, by)
+}
+
+#[inline(always)]
+pub(crate) fn step(a: u16, b: i32) -> i32 {
+    let a = u32::from(a);
+    let (low, high) = (b as u32 & 0xffff, (b >> 16) as u32);
+    let sum = a.wrapping_mul(low) >> 16;
+    sum.wrapping_add(a.wrapping_mul(high)) as i32 >> 15
 }
 
 #[inline(always)]

@@ -39,6 +39,18 @@ pub fn mixed(a: i32, b: u32) -> i64 {
     words::mixed(a, b)
 }
 
+/// a b / 2^31, rounded down: the product by a number of 16 bits.
+#[inline(always)]
+pub fn step(a: u16, b: i32) -> i32 {
+    words::step(a, b)
+}
+
+/// a b / 2^31, rounded half up, of which the lower 32 bits.
+#[inline(always)]
+pub fn upper(a: i32, b: i32) -> i32 {
+    words::upper(a, b)
+}
+
 /// Each of `v` times `by`, over 2^`SHIFT`, rounded half up: of which the lower 32 bits.
 /// `SHIFT` is 29 or 30.
 #[inline(always)]
@@ -65,7 +77,7 @@ pub fn square(a: i32) -> i64 {
     words::square(a)
 }
 
-/// a b / 2^16, of which the lower 32 bits.
+/// a b / 2^16, rounded down, of which the lower 32 bits.
 #[inline(always)]
 pub fn middle(a: u32, b: u32) -> u32 {
     words::middle(a, b)

@@ -19,6 +19,11 @@ pub(crate) fn square(a: i32) -> i64 {
 }
 
 #[inline(always)]
+pub(crate) fn upper(a: i32, b: i32) -> i32 {
+    ((signed(a, b) + (1 << 30)) >> 31) as i32
+}
+
+#[inline(always)]
 pub(crate) fn scaled<const SHIFT: u32>(v: [i32; 3], by: i32) -> [i32; 3] {
     v.map(|c| ((signed(c, by) + (1 << (SHIFT - 1))) >> SHIFT) as i32)
 }
@@ -37,6 +42,11 @@ pub(crate) fn leading_zeros(x: u32) -> u32 {
 #[inline(always)]
 pub(crate) fn middle(a: u32, b: u32) -> u32 {
     (unsigned(a, b) >> 16) as u32
+}
+
+#[inline(always)]
+pub(crate) fn step(a: u16, b: i32) -> i32 {
+    (signed(i32::from(a) << 1, b) >> 32) as i32
 }
 
 #[inline(always)]

@@ -1,5 +1,9 @@
+use long_multiply::IS_CALL;
+
 use crate::Vec3;
-use crate::num::{Length, Product, Scaled, Unit, leading_zeros, quotient, reciprocal, wide};
+use crate::num::{
+    Length, NEAR_LIMIT, Product, Scaled, Unit, leading_zeros, quotient, reciprocal, wide,
+};
 use crate::ray::{HORIZON, NEAR, Point, Ray};
 
 /// A plane, endless or bounded.
@@ -177,7 +181,12 @@ impl Plane {
             return None;
         }
         // What is beyond the limit is not worth a division.
-        if u64::from(depth) << 30 >= wide(cosine, limit.to_bits() as u32) {
+        let is_beyond = if IS_CALL && limit == NEAR_LIMIT {
+            depth >= 2 * cosine - (cosine >> 20)
+        } else {
+            u64::from(depth) << 30 >= wide(cosine, limit.to_bits() as u32)
+        };
+        if is_beyond {
             let is_out_of_reach = self.is_near && is_past_near(ray, limit);
             return (!is_out_of_reach).then_some(Length::MAX);
         }

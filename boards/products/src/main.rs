@@ -61,6 +61,11 @@ fn holds(a: u32, b: u32) -> Result<(), (u32, u32)> {
         let half = black_box(1_i64 << (shift - 1));
         v.map(|c| ((i64::from(c) * i64::from(by) + half) >> shift) as i32)
     };
+    let scaled_one = |shift: u32| {
+        let half = black_box(1_i64 << (shift - 1));
+        ((p * i64::from(j) + half) >> shift) as i32
+    };
+    let half_j = black_box(i64::from(j));
     let upper = b | 1 << 31;
     let half = black_box(1_i64 << 31);
     let reduced = v.map(|c| ((i64::from(c) * i64::from(upper) + half) >> 32) as i32);
@@ -73,6 +78,8 @@ fn holds(a: u32, b: u32) -> Result<(), (u32, u32)> {
         && long_multiply::scaled::<29>(v, j) == scaled(29, j)
         && long_multiply::scaled::<30>(v, j) == scaled(30, j)
         && long_multiply::scaled::<30>(v, i) == scaled(30, i)
+        && long_multiply::step(a as u16, j) == ((i64::from(a as u16) * half_j) >> 31) as i32
+        && long_multiply::upper(i, j) == scaled_one(31)
         && long_multiply::reduced(v, upper) == reduced
         && long_multiply::leading_zeros(a) == black_box(a).leading_zeros();
     right.then_some(()).ok_or((a, b))
