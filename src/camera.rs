@@ -9,6 +9,20 @@ use crate::ray::Point;
 use crate::shape::Plane;
 use crate::vector::high;
 
+/// `c * factor / 2^shift`, rounded down.
+///
+/// As other small functions here it is not inlined: views are rare, and lines are long.
+#[inline(never)]
+fn shifted_down(c: Unit, factor: u32, shift: u32) -> i64 {
+    c.to_bits().product(factor) >> shift
+}
+
+/// So many steps from a direction; what overflows wraps around.
+#[inline(never)]
+fn stepped(direction: Vec3<i64>, step: &Vec3<i64>, count: i32) -> Vec3<i64> {
+    direction.zip(*step, |d, s| d.wrapping_add(s.wrapping_mul(count.into())))
+}
+
 /// The widest and the highest raster.
 pub(crate) const MAX_SIDE: u32 = u16::MAX as u32;
 
@@ -52,16 +66,14 @@ impl View {
         let scale = quotient(7 << 26, longest).to_bits() as u32;
         let scaled_g = (wide((g >> 32) as u32, scale) << 1) + (wide(g as u32, scale) >> 31);
         let g_shift = scaled_g.max(1).leading_zeros();
-        let g_mantissa = ((scaled_g << g_shift) >> 32) as i64;
+        let g_mantissa = ((scaled_g << g_shift) >> 32) as u32;
         // I2F30 * (U6F58 as a 32-bit mantissa) -> Q62
-        let half_pixel =
-            |c: Unit| (i64::from(c.to_bits()) * g_mantissa) >> g_shift.saturating_sub(6);
+        let half_pixel = |c: Unit| shifted_down(c, g_mantissa, g_shift.saturating_sub(6));
         let forward = camera.forward.map(|c| c.to_bits().product(scale) << 1);
         let right = camera.right.map(half_pixel);
-        let first = 1 - i64::from(width);
         Self {
             eye: camera.eye,
-            left: forward.zip(right, |f, r| f.wrapping_add(r.wrapping_mul(first))),
+            left: stepped(forward, &right, 1 - width as i32),
             right,
             down: camera.up.map(|c| -half_pixel(c)),
             half_pixel: g,
@@ -82,14 +94,11 @@ impl View {
     /// The directions of the rays of line `y`, from left to right.
     #[inline(never)]
     pub(crate) fn line(&self, y: u32) -> Line {
-        let down = 2 * i64::from(y.min(MAX_SIDE)) + 1 - i64::from(self.height);
-        // Half a step of a direction, which is then rounded by what is cut off.
-        let first = self
-            .left
-            .zip(self.down, |f, d| f.wrapping_add(d.wrapping_mul(down)))
-            .map(|c| c.wrapping_add(1 << 31));
+        let down = 2 * y.min(MAX_SIDE) as i32 + 1 - self.height as i32;
+        let first = stepped(self.left, &self.down, down);
         Line {
-            direction: first,
+            // Half a step of a direction, which is then rounded by what is cut off.
+            direction: first.map(|c| c.wrapping_add(1 << 31)),
             step: self.right.map(|r| 2 * r),
             remaining: if y < self.height { self.width } else { 0 },
         }
@@ -114,15 +123,10 @@ impl View {
         let Line {
             direction, step, ..
         } = self.line(y);
-        let last = i64::from(self.width) - 1;
-        let end = |steps| {
-            direction.zip(step, |d, s| {
-                Unit::from_bits((d.wrapping_add(s.wrapping_mul(steps)) >> 32) as i32)
-            })
-        };
+        let end = |steps| stepped(direction, &step, steps).map(|c| Unit::from_bits(high(c)));
         Row {
             eye: self.eye,
-            ends: [end(0), end(last)],
+            ends: [end(0), end(self.width as i32 - 1)],
             ahead: forward.zip(up, |f, u| sum(f, cosine, u, sine)),
             aside: up.zip(forward, |u, f| sum(u, cosine, f, -sine)),
             right: camera.right,
@@ -204,10 +208,8 @@ pub(crate) struct Line {
 impl Line {
     /// Passes over the first `count` rays.
     pub(crate) fn pass(&mut self, count: u32) {
-        let steps = i64::from(count.min(self.remaining));
-        self.direction = self
-            .direction
-            .zip(self.step, |d, s| d.wrapping_add(s.wrapping_mul(steps)));
+        let steps = count.min(self.remaining) as i32;
+        self.direction = stepped(self.direction, &self.step, steps);
         self.remaining = self.remaining.saturating_sub(count);
     }
 
