@@ -23,11 +23,7 @@ impl Crc32 {
     #[inline(never)]
     pub fn update(&mut self, bytes: &[u8]) {
         for byte in bytes {
-            self.0 ^= u32::from(*byte);
-            for _ in 0..8 {
-                // Without a table: it is far from any hot loop.
-                self.0 = (self.0 >> 1) ^ (0xedb8_8320 & (self.0 & 1).wrapping_neg());
-            }
+            self.0 = shifted(self.0 ^ u32::from(*byte));
         }
     }
 
@@ -43,6 +39,17 @@ impl Crc32 {
     pub const fn finish(self) -> u32 {
         !self.0
     }
+}
+
+/// The register, eight bits on.
+///
+/// Without a table, and not inlined, as loops around it would be unrolled: it is far from
+/// any hot loop.
+#[inline(never)]
+fn shifted(register: u32) -> u32 {
+    (0..8).fold(register, |register, _| {
+        (register >> 1) ^ (0xedb8_8320 & (register & 1).wrapping_neg())
+    })
 }
 
 impl Default for Crc32 {
