@@ -161,6 +161,7 @@ impl ShadowRay<'_> {
         i64::from(self.length().to_bits()) << self.ray.origin.shift
     }
 
+    #[inline(never)]
     fn beam(&self) -> Ray {
         Ray {
             origin: Point::near(self.light.position),
