@@ -133,7 +133,7 @@ impl Quadric {
     }
 
     /// Whether the surface is there: within its clamp, or before the horizon.
-    #[inline]
+    #[inline(never)]
     fn reaches(&self, ray: &Ray, distance: Scaled) -> bool {
         let Some([low, high]) = self.clamp else {
             return distance.exponent <= HORIZON;

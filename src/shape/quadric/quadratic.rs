@@ -67,7 +67,7 @@ fn root(square: u64) -> i64 {
 }
 
 /// `2^30 n / d` if it is above 0.
-#[inline]
+#[inline(never)]
 fn ratio(n: i64, d: i64) -> Option<Scaled> {
     if n == 0 || d == 0 || (n < 0) != (d < 0) {
         return None;
