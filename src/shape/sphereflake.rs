@@ -51,7 +51,8 @@ impl Sphereflake {
         let mut reach = i64::from(limit.to_bits()) << 32;
         let mut nearest = None;
         if let Some(from) = from.filter(|from| from.inward) {
-            let across = self.across(ray, from.part).filter(|it| it.distance < reach);
+            let across = self.across(ray, from.part, observer);
+            let across = across.filter(|it| it.distance < reach);
             reach = across.map_or(reach, |it| it.distance);
             nearest = across;
         }
@@ -83,20 +84,31 @@ impl Sphereflake {
     /// From a point on a sphere through its inside to the other end of the
     /// chord, which is a point where the ray grazes the sphere.
     #[cold]
-    fn across(&self, ray: &Ray, path: Path) -> Option<Meeting> {
-        let mut node = Node::largest(self, ray, i64::MAX)?;
-        let (mut left, mut generation) = (path, 0);
+    fn across(&self, ray: &Ray, path: Path, observer: &mut impl Observer) -> Option<Meeting> {
+        let mut meeting = None;
+        self.walk(ray, path, i64::MAX, Goal::Start, observer, &mut |node| {
+            let [_, middle, exit] = node.chord();
+            meeting = Some(Meeting {
+                distance: (2 * node.distance_to(middle)).max(0),
+                path,
+                normal: node.normal(exit),
+            });
+            0
+        });
+        meeting
+    }
+
+    /// A sphere, as a ray sees it that sees the largest so.
+    #[cold]
+    #[inline(never)]
+    fn part(&self, largest: &Node, path: Path) -> Node {
+        let (mut node, mut left, mut generation) = (*largest, path, 0);
         while left != 0 {
             node = node.child(self, left & 15, 4 * generation);
             left >>= 4;
             generation += 1;
         }
-        let [_, middle, exit] = node.chord();
-        Some(Meeting {
-            distance: (2 * node.distance_to(middle)).max(0),
-            path,
-            normal: node.normal(exit),
-        })
+        node
     }
 
     /// Whether a ray crosses any of the spheres before `reach`.
@@ -193,6 +205,10 @@ impl Sphereflake {
             reach: high(reach),
         };
         while let Some(node) = walk.nodes.last() {
+            if goal == Goal::Start {
+                visit(&self.part(node, start));
+                return true;
+            }
             observer.sphere();
             let squared = node.squared();
             if squared < 1 << 58 {

@@ -28,6 +28,8 @@ pub(super) enum Goal {
     Nearest,
     Any,
     All,
+    /// The sphere that the ray starts on, and no other.
+    Start,
 }
 
 /// From the largest sphere down to where the walk is.
