@@ -47,7 +47,6 @@ impl Bounds {
     /// Whether all points within of a plane are near. Of other planes than these, boards
     /// and floors, it need not be known.
     fn are_near(&self, normal: Vec3<Unit>, offset: i64) -> bool {
-        let is_near = |bits: i64| bits.abs() < i64::from(NEAR) - 16;
         let between = self.low.zip(self.high, |low, high| {
             is_near(low.to_bits().into()) && is_near(high.to_bits().into())
         });
@@ -73,15 +72,19 @@ impl Bounds {
     #[cold]
     #[inline(never)]
     fn contain_far(&self, point: Point) -> bool {
-        let edge = i64::from(EDGE);
-        let within = |c: Length, low: Length, high: Length| {
-            let c = i64::from(c.to_bits()) << point.shift;
-            (low == Length::MIN || c + edge >= i64::from(low.to_bits()))
-                && (high == Length::MAX || c - edge <= i64::from(high.to_bits()))
-        };
+        let within = |c, low, high| is_within(c, point.shift, low, high);
         let (p, Self { low, high }) = (point.coordinates, self);
         within(p.x, low.x, high.x) && within(p.y, low.y, high.y) && within(p.z, low.z, high.z)
     }
+}
+
+/// Whether a far coordinate, in steps of `2^shift`, is between two ends. Not inlined, as it
+/// is asked for each axis.
+#[inline(never)]
+fn is_within(c: Length, shift: u8, low: Length, high: Length) -> bool {
+    let (c, edge) = (i64::from(c.to_bits()) << shift, i64::from(EDGE));
+    (low == Length::MIN || c + edge >= i64::from(low.to_bits()))
+        && (high == Length::MAX || c - edge <= i64::from(high.to_bits()))
 }
 
 /// A point of the plane is so deep in it at most.
@@ -119,8 +122,14 @@ impl Plane {
 
     /// How far behind the plane a point is, in the point's steps; negative in
     /// front, where the normal points.
-    #[inline]
+    #[inline(never)]
     pub(crate) fn depth(&self, point: Point) -> i64 {
+        self.depth_inlined(point)
+    }
+
+    /// The same for each shadow ray.
+    #[inline(always)]
+    fn depth_inlined(&self, point: Point) -> i64 {
         let along = point.coordinates.along(self.normal).to_bits();
         (self.offset >> point.shift) - ((along + (1 << 29)) >> 30)
     }
@@ -137,7 +146,8 @@ impl Plane {
     /// from, by a ray in the direction of `view`.
     #[inline]
     pub(crate) fn is_between(&self, light: Vec3<Length>, point: Point, view: Vec3<Unit>) -> bool {
-        let (from, to) = (self.depth(Point::near(light)), self.depth(point));
+        let from = self.depth_inlined(Point::near(light));
+        let to = self.depth_inlined(point);
         if to.abs() <= ROUNDING {
             return self.is_seen_from_beyond(from, view);
         }
@@ -240,6 +250,11 @@ impl Plane {
         }
         Some((depth.unsigned_abs(), cosine.unsigned_abs()))
     }
+}
+
+#[inline(never)]
+fn is_near(bits: i64) -> bool {
+    bits.abs() < i64::from(NEAR) - 16
 }
 
 /// Whether a ray has left all that is near after a distance: if it was told so by the
