@@ -11,6 +11,7 @@ use crate::{Axis, Vec3, scene};
 use super::archive::{Archive, Fields, color, fixed, vector};
 
 impl Fields for Settings {
+    #[inline(never)]
     fn visit(&mut self, archive: &mut impl Archive) {
         let Camera {
             eye,
@@ -49,6 +50,7 @@ impl Fields for Settings {
 }
 
 impl Fields for Light {
+    #[inline(never)]
     fn visit(&mut self, archive: &mut impl Archive) {
         vector(&mut self.position, archive);
         color(&mut self.diffuse, archive);
@@ -57,6 +59,7 @@ impl Fields for Light {
 }
 
 impl Fields for Material {
+    #[inline(never)]
     fn visit(&mut self, archive: &mut impl Archive) {
         color(&mut self.glow, archive);
         color(&mut self.kd, archive);
@@ -73,6 +76,7 @@ impl Fields for Material {
 }
 
 impl Fields for Object {
+    #[inline(never)]
     fn visit(&mut self, archive: &mut impl Archive) {
         self.shape.visit(archive);
         self.texture.visit(archive);
@@ -130,6 +134,7 @@ fn blank(kind: u8) -> Option<Shape> {
 }
 
 impl Fields for Shape {
+    #[inline(never)]
     fn visit(&mut self, archive: &mut impl Archive) {
         let kind = kind_of(self);
         let mut read = kind;
@@ -173,6 +178,7 @@ impl Fields for Plane {
 }
 
 impl Fields for Quadric {
+    #[inline(never)]
     fn visit(&mut self, archive: &mut impl Archive) {
         vector(&mut self.center, archive);
         let mut clamped = u8::from(self.clamp.is_some());
@@ -202,6 +208,7 @@ impl Fields for Quadric {
 }
 
 impl Fields for Sphereflake {
+    #[inline(never)]
     fn visit(&mut self, archive: &mut impl Archive) {
         let Parts {
             mut center,
@@ -233,6 +240,7 @@ impl Fields for Sphereflake {
 }
 
 impl Fields for Texture {
+    #[inline(never)]
     fn visit(&mut self, archive: &mut impl Archive) {
         const UNIFORM: u8 = 0;
         const CHECKER: u8 = 1;

@@ -49,6 +49,7 @@ fn are_factors<const N: usize>(colors: [Color<Factor>; N]) -> bool {
 }
 
 impl Settings {
+    #[inline(never)]
     pub(super) fn is_valid(&self) -> bool {
         let Camera {
             eye,
@@ -80,12 +81,14 @@ impl Frame {
 }
 
 impl Light {
+    #[inline(never)]
     pub(super) fn is_valid(&self) -> bool {
         is_within_one(self.position) && are_factors([self.diffuse, self.specular])
     }
 }
 
 impl Material {
+    #[inline(never)]
     pub(super) fn is_valid(&self) -> bool {
         are_factors([self.kd, self.ks])
             && (1 << 16..=4096 << 16).contains(&self.shininess)
@@ -95,6 +98,7 @@ impl Material {
 }
 
 impl Object {
+    #[inline(never)]
     pub(super) fn is_valid(&self, materials: u16) -> bool {
         let shape = match &self.shape {
             Shape::Sphere(sphere) => is_within_one(sphere.center) && is_size(sphere.radius),
@@ -102,7 +106,8 @@ impl Object {
                 is_unit(plane.normal) && plane.offset.unsigned_abs() < 1 << OFFSET_BITS
             }
             Shape::Quadric(quadric) => quadric.is_valid(),
-            Shape::Sphereflake(flake) => flake.parts().is_valid(),
+            // Looked at as it was read: without a radius if it is not valid.
+            Shape::Sphereflake(flake) => flake.parts().radius > 0,
         };
         let texture = match &self.texture {
             Texture::Uniform(material) => *material < materials,
@@ -150,6 +155,7 @@ impl Quadric {
 }
 
 impl Parts {
+    #[inline(never)]
     pub(super) fn is_valid(&self) -> bool {
         let [u, v] = self.frame;
         is_within_one(self.center)

@@ -66,6 +66,7 @@ pub(crate) struct Sphereflake {
 }
 
 impl Sphereflake {
+    #[inline(never)]
     pub(crate) fn new(parts: Parts) -> Self {
         let Parts {
             center,
@@ -74,11 +75,6 @@ impl Sphereflake {
             ratio,
             depth,
         } = parts;
-        let mantissa = |x: U0F32| x.to_bits().wrapping_shl(x.leading_zeros()) | 1 << 31;
-        let inverse = |x| {
-            let half = reciprocal(mantissa(x)).saturating_add(1) >> 1;
-            Unit::from_bits(half.min(i32::MAX as u32) as i32)
-        };
         let [u, v] = frame;
         let w = u.cross(v).map(|c| round_unit(c, 30));
         let inverse_ratio = inverse(ratio);
@@ -126,13 +122,10 @@ impl Sphereflake {
 
     /// How far a flake reaches, in radii, rounded up: a child's center is `1 +
     /// ratio` away, and its own children reach so far in its radii.
+    #[inline(never)]
     pub(crate) fn bound(ratio: U0F32, depth: u8) -> Radii {
         let ratio = u64::from(ratio.to_bits());
-        let one = 1_u64 << 28;
-        // U4F28
-        let bound = (0..depth).fold(one, |bound, _| {
-            one + (ratio >> 4) + ((ratio * bound) >> 32) + 2
-        });
+        let bound = (0..depth).fold(1 << 28, |bound, _| bound_around(bound, ratio));
         Radii::from_bits((bound as i32 + 1) << 1)
     }
 
@@ -163,6 +156,21 @@ impl Sphereflake {
             along(u.z, v.z, w.z),
         )
     }
+}
+
+/// `1 / (x * 2^n)`, with n such that the quotient is 1 to 2.
+#[inline(never)]
+fn inverse(x: U0F32) -> Unit {
+    let mantissa = x.to_bits().wrapping_shl(x.leading_zeros()) | 1 << 31;
+    let half = reciprocal(mantissa).saturating_add(1) >> 1;
+    Unit::from_bits(half.min(i32::MAX as u32) as i32)
+}
+
+/// The bound of a sphere whose children have that bound, U4F28. Not inlined, as the loop
+/// over generations would be unrolled.
+#[inline(never)]
+fn bound_around(child: u64, ratio: u64) -> u64 {
+    (1 << 28) + (ratio >> 4) + ((ratio * child) >> 32) + 2
 }
 
 /// The terms of directions to children, `1 + ratio` long.
