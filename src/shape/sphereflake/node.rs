@@ -93,7 +93,7 @@ impl Node {
     /// and in between to its middle; all of that is one where the line passes by.
     ///
     /// The foot is off along the ray by what was rounded on the way here.
-    #[inline]
+    #[inline(never)]
     pub(super) fn chord(&self) -> [Radii; 3] {
         let rest = ((1_i64 << 58) - self.squared()).max(0);
         let half = Radii::from_bits(square_root(rest as u64) as i32);
@@ -119,6 +119,7 @@ impl Node {
     }
 
     /// The outward normal at an end of the chord, in the sphere's frame.
+    #[inline(never)]
     pub(super) fn normal(&self, past_foot: Radii) -> Vec3<Unit> {
         // Q29 -> Q59; Q29 * Q30 -> Q59; rounded to Q30.
         self.foot.zip(self.direction, |l, d| {
