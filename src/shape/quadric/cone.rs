@@ -1,8 +1,8 @@
 use crate::Vec3;
 use crate::num::{Length, Product, Square, Unit, quotient};
-use crate::vector::{round_length, round_unit};
+use crate::vector::round_length;
 
-use super::quadratic::Quadratic;
+use super::quadratic::{Quadratic, moment, squeezed};
 
 /// A cone around the y axis, squeezed to a slope of one: `x² + z² = v²` with
 /// `v = radius - axial * y`. All is halved, so that no vector is 8 long.
@@ -29,15 +29,17 @@ impl Cone {
         .near()
     }
 
+    /// What x, y and z are squeezed by.
+    #[inline]
+    fn squeeze(&self) -> Vec3<Unit> {
+        Vec3::new(self.radial, self.axial, self.radial)
+    }
+
     /// x, v and z, in steps of `2^shift`.
     #[inline]
     fn squeezed(&self, v: Vec3<Length>, shift: u8) -> Vec3<Length> {
-        let squeeze = |c: Length, k: Unit| round_length(c.product(k).to_bits(), 30);
-        Vec3::new(
-            squeeze(v.x, self.radial),
-            (self.radius >> u32::from(shift)) - squeeze(v.y, self.axial),
-            squeeze(v.z, self.radial),
-        )
+        let v = squeezed(v.map(Length::to_bits), self.squeeze()).map(Length::from_bits);
+        Vec3::new(v.x, (self.radius >> u32::from(shift)) - v.y, v.z)
     }
 
     /// From `offset` of the center, in steps of `2^shift`: a sphere's of radius
@@ -50,14 +52,10 @@ impl Cone {
         direction: Vec3<Unit>,
         shift: u8,
     ) -> Quadratic {
-        let squeeze = |c: Unit, k: Unit| round_unit(c.product(k).to_bits(), 30);
         let o = self.squeezed(offset, shift);
-        let d = Vec3::new(
-            squeeze(direction.x, self.radial),
-            -squeeze(direction.y, self.axial),
-            squeeze(direction.z, self.radial),
-        );
-        let cross = o.cross(d).map(|c| c.square());
+        let d = squeezed(direction.map(Unit::to_bits), self.squeeze()).map(Unit::from_bits);
+        let d = Vec3::new(d.x, -d.y, d.z);
+        let cross = moment(o, d).map(|c| c.square());
         Quadratic {
             a: (d.x.square() + d.z.square() - d.y.square()).to_bits(),
             b: (o.x.product(d.x) + o.z.product(d.z) - o.y.product(d.y)).to_bits(),
@@ -69,11 +67,7 @@ impl Cone {
     /// Along the normal that points away from the axis.
     #[inline]
     pub(super) fn gradient(&self, offset: Vec3<Length>, shift: u8) -> Vec3<i64> {
-        let o = self.squeezed(offset, shift);
-        Vec3::new(
-            o.x.product(self.radial).to_bits(),
-            o.y.product(self.axial).to_bits(),
-            o.z.product(self.radial).to_bits(),
-        )
+        self.squeezed(offset, shift)
+            .zip(self.squeeze(), |c, k| c.product(k).to_bits())
     }
 }

@@ -1,8 +1,7 @@
 use crate::Vec3;
 use crate::num::{Length, Product, Square, Unit, quotient, upper_product};
-use crate::vector::{round_length, round_unit};
 
-use super::quadratic::Quadratic;
+use super::quadratic::{Quadratic, moment, squeezed};
 
 /// An ellipsoid, as the sphere that it becomes when each axis is squeezed to
 /// the shortest.
@@ -24,9 +23,7 @@ impl Ellipsoid {
 
     #[inline]
     fn squeezed(&self, v: Vec3<Length>) -> Vec3<Length> {
-        v.zip(self.squeeze, |c, k| {
-            round_length(c.product(k).to_bits(), 30)
-        })
+        squeezed(v.map(Length::to_bits), self.squeeze).map(Length::from_bits)
     }
 
     /// From `offset` of the center. The discriminant is `r² |d|² - |o × d|²`
@@ -35,7 +32,7 @@ impl Ellipsoid {
     #[inline]
     pub(super) fn quadratic(&self, offset: Vec3<Length>, direction: Vec3<Unit>) -> Quadratic {
         let o = self.squeezed(offset);
-        let d = direction.zip(self.squeeze, |c, k| round_unit(c.product(k).to_bits(), 30));
+        let d = squeezed(direction.map(Unit::to_bits), self.squeeze).map(Unit::from_bits);
         let a = d.dot(d).to_bits();
         let radius_squared = self.radius.square().to_bits();
         let reach = upper_product(radius_squared as u64, a as u64, 4) as i64;
@@ -43,7 +40,7 @@ impl Ellipsoid {
             a,
             b: o.along(d).to_bits(),
             c: o.squared().to_bits() - radius_squared,
-            discriminant: reach - o.cross(d).squared().to_bits(),
+            discriminant: reach - moment(o, d).squared().to_bits(),
         }
     }
 

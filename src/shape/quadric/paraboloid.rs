@@ -3,7 +3,7 @@ use fixed::types::I8F56;
 use crate::Vec3;
 use crate::num::{Length, Product, Square, Unit, square_root, upper_product};
 
-use super::quadratic::Quadratic;
+use super::quadratic::{Quadratic, moment};
 
 /// A paraboloid around the y axis: `x² + z² = g y + r²`, with x and z squeezed
 /// by a power of two that keeps g within 1.
@@ -37,7 +37,7 @@ impl Paraboloid {
         let a = (d.x.square() + d.z.square()).to_bits();
         let radius_squared = self.radius_squared.to_bits();
         let reach = upper_product(radius_squared as u64, a as u64, 4) as i64;
-        let w = o.cross(d);
+        let w = moment(o, d);
         // g d.y / 2: Q30 -> Q58, and its square: Q60 -> Q56
         let rise = (i64::from(d.y.to_bits()) << 27) >> focus;
         let rise_squared = (d.y.square().to_bits() >> 6) >> (2 * focus).min(63);

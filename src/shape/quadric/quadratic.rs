@@ -1,4 +1,5 @@
-use crate::num::{Scaled, inverse_length, quotient, wide};
+use crate::Vec3;
+use crate::num::{Length, Product, Scaled, Unit, inverse_length, quotient, wide};
 
 /// `a t² + 2 b t + c = 0`, the equation of a ray and a quadric.
 ///
@@ -56,6 +57,20 @@ impl Quadratic {
         }
         inward.then(|| ratio(-2 * self.b, self.a).unwrap_or(Scaled::ZERO))
     }
+}
+
+/// `o × d`: not inlined, as most forms take it.
+#[inline(never)]
+pub(super) fn moment(o: Vec3<Length>, d: Vec3<Unit>) -> Vec3<Length> {
+    o.cross(d)
+}
+
+/// A vector of any steps, each component times a factor: not inlined, as is `moment`.
+#[inline(never)]
+pub(super) fn squeezed(v: Vec3<i32>, factors: Vec3<Unit>) -> Vec3<i32> {
+    v.zip(factors, |c, k| {
+        ((c.product(k.to_bits()) + (1 << 29)) >> 30) as i32
+    })
 }
 
 /// The square root of Q56, as Q58.
