@@ -17,6 +17,12 @@ fn shifted_down(c: Unit, factor: u32, shift: u32) -> i64 {
     c.to_bits().product(factor) >> shift
 }
 
+/// The square of `side / 2^shift`, or a little more.
+#[inline(never)]
+fn square_above(side: u64, shift: u32) -> u64 {
+    ((side >> shift) + 1).pow(2)
+}
+
 /// So many steps from a direction; what overflows wraps around.
 #[inline(never)]
 fn stepped(direction: Vec3<i64>, step: &Vec3<i64>, count: i32) -> Vec3<i64> {
@@ -59,7 +65,7 @@ impl View {
         // it is long, coarser.
         let sides = [width, height].map(|side| ((g >> 30) + 1) * u64::from(side));
         let coarser = (64 - (sides[0] | sides[1]).leading_zeros()).saturating_sub(30);
-        let square = |side: u64| ((side >> coarser) + 1).pow(2);
+        let square = |side| square_above(side, coarser);
         let longest_squared = square(1 << 28) + square(sides[0]) + square(sides[1]);
         let longest = u64::from(square_root(longest_squared)) << coarser;
         // What makes it 7/8: U1F31.
@@ -222,7 +228,7 @@ impl Line {
         }
         let round_up = (1 << spacing) - 1;
         Self {
-            step: self.step.map(|s| s << spacing),
+            step: stepped(Vec3::new(0, 0, 0), &self.step, 1 << spacing),
             remaining: (to.saturating_sub(from) + round_up) >> spacing,
             ..self
         }

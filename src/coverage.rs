@@ -86,6 +86,7 @@ impl Coverage {
         self.here.are_complete = fits;
     }
 
+    #[inline(never)]
     fn add(&mut self, object: u16, [from, to]: [u16; 2]) -> bool {
         from >= to || self.spans.push(Span { object, from, to }).is_ok()
     }
