@@ -211,13 +211,11 @@ impl Ray {
         // the distance is below 2^30.
         let shift =
             from.max(distance.exponent + 32 - distance.mantissa.leading_zeros() as i32 - 30);
-        let shifted = shift_right(
-            u64::from(distance.mantissa) << 16,
-            16 + shift - distance.exponent,
-        );
+        let down = (shift - distance.exponent) as u32;
+        let shifted = distance.mantissa.unbounded_shr(down) as i32;
         let coordinates = self.origin.coordinates.zip(self.direction, |o, d| {
-            (i64::from(o.to_bits()) >> (shift - from).min(63))
-                + ((i64::from(d.to_bits()) * shifted as i64 + (1 << 29)) >> 30)
+            i64::from(o.to_bits() >> (shift - from).min(31))
+                + ((d.to_bits().product(shifted) + (1 << 29)) >> 30)
         });
         Point::fitted(coordinates, shift as u32)
     }
@@ -245,19 +243,20 @@ impl Ray {
         if passes(foot.x) || passes(foot.y) || passes(foot.z) {
             return None;
         }
-        let foot = foot.map(|c| round_length(c << shift, 30));
+        let foot = foot.map(|c| shifted_up(c, shift));
         let origin = Point::near(foot - self.direction.times(BEFORE));
         let skipped = (i64::from(middle) << shift) - i64::from(BEFORE.to_bits());
         Some((Self { origin, ..*self }, skipped))
     }
 }
 
+/// Q58 in steps of `2^shift` as a near coordinate.
+#[inline(never)]
+fn shifted_up(c: i64, shift: u8) -> Length {
+    round_length(c << shift, 30)
+}
+
 /// The largest coordinate of all.
 fn reach(c: Vec3<i64>) -> i64 {
     c.x.abs().max(c.y.abs()).max(c.z.abs())
-}
-
-/// `x >> shift`, also for shifts that leave nothing.
-fn shift_right(x: u64, shift: i32) -> u64 {
-    if shift > 63 { 0 } else { x >> shift.max(0) }
 }

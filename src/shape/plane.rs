@@ -229,6 +229,7 @@ impl Plane {
     }
 
     /// The same, without regard to bounds.
+    #[inline(never)]
     pub(crate) fn unbounded_distance(&self, ray: &Ray) -> Option<Scaled> {
         let (depth, cosine) = self.approach(self.depth(ray.origin), ray.direction)?;
         // Q28 / Q60 -> Q-32 -> Q28 times 2^30, as a quotient is.
