@@ -239,6 +239,19 @@ impl Fields for Sphereflake {
     }
 }
 
+impl Fields for Axis {
+    #[inline(never)]
+    fn visit(&mut self, archive: &mut impl Archive) {
+        let mut index = *self as u8;
+        index.visit(archive);
+        *self = match index {
+            0 => Self::X,
+            1 => Self::Y,
+            _ => Self::Z,
+        };
+    }
+}
+
 impl Fields for Texture {
     #[inline(never)]
     fn visit(&mut self, archive: &mut impl Archive) {
@@ -267,15 +280,7 @@ impl Fields for Texture {
                 .phase
                 .iter_mut()
                 .for_each(|phase| phase.visit(archive));
-            for axis in &mut checker.axes {
-                let mut index = *axis as u8;
-                index.visit(archive);
-                *axis = match index {
-                    0 => Axis::X,
-                    1 => Axis::Y,
-                    _ => Axis::Z,
-                };
-            }
+            checker.axes.iter_mut().for_each(|axis| axis.visit(archive));
             checker
                 .materials
                 .iter_mut()

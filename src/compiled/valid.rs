@@ -19,21 +19,29 @@ fn is_within<F: Fixed + Neg<Output = F>>(value: F, most: F) -> bool {
     (-most..=most).contains(&value)
 }
 
+/// Whether each coordinate is within ±most.
+///
+/// What is asked for several times is not inlined, and takes references: that is less to
+/// hand over.
 #[inline(never)]
-fn is_within_one(point: Vec3<Length>) -> bool {
-    point.all(|c| is_within(c, Length::ONE))
+fn are_within(point: &Vec3<Length>, most: Length) -> bool {
+    point.all(|c| is_within(c, most))
+}
+
+fn is_within_one(point: &Vec3<Length>) -> bool {
+    are_within(point, Length::ONE)
 }
 
 #[inline(never)]
-fn is_unit(v: Vec3<Unit>) -> bool {
+fn is_unit(v: &Vec3<Unit>) -> bool {
     // Within 2^-20 of 1; components beyond 1 would overflow.
-    v.all(|c| is_within(c, Unit::ONE)) && (v.dot(v).to_bits() - (1 << 60)).abs() < 1 << 40
+    v.all(|c| is_within(c, Unit::ONE)) && (v.dot(*v).to_bits() - (1 << 60)).abs() < 1 << 40
 }
 
 /// Whether unit vectors are at right angles, to 2^-20.
 #[inline(never)]
-fn are_square(u: Vec3<Unit>, v: Vec3<Unit>) -> bool {
-    is_within(u.cosine(v), Unit::DELTA * (1 << 10))
+fn are_square(u: &Vec3<Unit>, v: &Vec3<Unit>) -> bool {
+    is_within(u.cosine(*v), Unit::DELTA * (1 << 10))
 }
 
 /// A radius.
@@ -57,13 +65,13 @@ impl Settings {
             right,
             up,
             tangent,
-        } = self.camera;
-        eye.all(|c| is_within(c, Length::from_bits(NEAR)))
+        } = &self.camera;
+        are_within(eye, Length::from_bits(NEAR))
             && [forward, right, up].into_iter().all(is_unit)
             && are_square(forward, right)
             && are_square(right, up)
             && are_square(up, forward)
-            && (1..12 << 28).contains(&tangent)
+            && (1..12 << 28).contains(tangent)
             && self.frame.is_valid()
             && [self.horizon, self.zenith]
                 .into_iter()
@@ -76,14 +84,15 @@ impl Settings {
 
 impl Frame {
     fn is_valid(&self) -> bool {
-        self.center.all(|c| c.unsigned_abs() < 1 << 60) && (-32..=FINEST).contains(&self.exponent)
+        let Vec3 { x, y, z } = self.center.map(i64::unsigned_abs);
+        x | y | z < 1 << 60 && (-32..=FINEST).contains(&self.exponent)
     }
 }
 
 impl Light {
     #[inline(never)]
     pub(super) fn is_valid(&self) -> bool {
-        is_within_one(self.position) && are_factors([self.diffuse, self.specular])
+        is_within_one(&self.position) && are_factors([self.diffuse, self.specular])
     }
 }
 
@@ -101,9 +110,9 @@ impl Object {
     #[inline(never)]
     pub(super) fn is_valid(&self, materials: u16) -> bool {
         let shape = match &self.shape {
-            Shape::Sphere(sphere) => is_within_one(sphere.center) && is_size(sphere.radius),
+            Shape::Sphere(sphere) => is_within_one(&sphere.center) && is_size(sphere.radius),
             Shape::Plane(plane) => {
-                is_unit(plane.normal) && plane.offset.unsigned_abs() < 1 << OFFSET_BITS
+                is_unit(&plane.normal) && plane.offset.unsigned_abs() < 1 << OFFSET_BITS
             }
             Shape::Quadric(quadric) => quadric.is_valid(),
             // Looked at as it was read: without a radius if it is not valid.
@@ -147,7 +156,7 @@ impl Quadric {
                     && form.focus <= 31
             }
         };
-        form && is_within_one(self.center)
+        form && is_within_one(&self.center)
             && self
                 .clamp
                 .is_none_or(|ends| ends.into_iter().all(|y| is_within(y, Length::ONE)))
@@ -157,8 +166,8 @@ impl Quadric {
 impl Parts {
     #[inline(never)]
     pub(super) fn is_valid(&self) -> bool {
-        let [u, v] = self.frame;
-        is_within_one(self.center)
+        let [u, v] = &self.frame;
+        is_within_one(&self.center)
             && is_unit(u)
             && is_unit(v)
             && are_square(u, v)
