@@ -121,11 +121,7 @@ impl View {
         let cosine = (stretch.inverse >> 9_u32.saturating_sub(stretch.half_shift)) as i32;
         // Q26 * Q30 -> Q30
         let sine = (height.product(cosine) >> 26) as i32;
-        // Q60 -> Q28 -> Q30
-        let sum = |a: Unit, p: i32, b: Unit, q: i32| {
-            Unit::from_bits(high(a.to_bits().product(p) + b.to_bits().product(q)) << 2)
-        };
-        let (forward, up) = (camera.forward, camera.up);
+        let (forward, up) = (&camera.forward, &camera.up);
         let Line {
             direction, step, ..
         } = self.line(y);
@@ -133,13 +129,22 @@ impl View {
         Row {
             eye: self.eye,
             ends: [end(0), end(self.width as i32 - 1)],
-            ahead: forward.zip(up, |f, u| sum(f, cosine, u, sine)),
-            aside: up.zip(forward, |u, f| sum(u, cosine, f, -sine)),
+            ahead: sum(forward, cosine, up, sine),
+            aside: sum(up, cosine, forward, -sine),
             right: camera.right,
             scale: quotient(stretch.length().into(), self.half_pixel),
             width: self.width as u16,
         }
     }
+}
+
+/// `p a + q b`, the factors in Q30.
+#[inline(never)]
+fn sum(a: &Vec3<Unit>, p: i32, b: &Vec3<Unit>, q: i32) -> Vec3<Unit> {
+    // Q60 -> Q28 -> Q30
+    a.zip(*b, |a, b| {
+        Unit::from_bits(high(a.to_bits().product(p) + b.to_bits().product(q)) << 2)
+    })
 }
 
 /// The plane of the eye rays of a line.
@@ -163,11 +168,11 @@ impl Row {
         /// More than what rounding a direction does to a cosine: Q60.
         const MARGIN: i64 = 1 << 34;
         let depth = plane.depth(Point::near(self.eye));
-        let approaches = |end: Vec3<Unit>| {
-            let along = end.dot(plane.normal).to_bits();
+        let approaches = |end| {
+            let along = along(end, &plane.normal);
             depth > 0 && along > -MARGIN || depth < 0 && along < MARGIN
         };
-        self.ends.into_iter().any(approaches)
+        self.ends.iter().any(approaches)
     }
 
     /// The column of the ray that is `n / d` as far to the right as it is ahead,
@@ -191,6 +196,12 @@ impl Row {
         let column = (n.signum() * pixels + i64::from(self.width) - 1) >> 1;
         column.clamp(0, u16::MAX.into()) as u16
     }
+}
+
+/// How long a direction is along another, Q60.
+#[inline(never)]
+fn along(direction: &Vec3<Unit>, other: &Vec3<Unit>) -> i64 {
+    direction.dot(*other).to_bits()
 }
 
 /// Columns of a raster: `from`, and every one that is a multiple of
