@@ -173,7 +173,7 @@ impl Fields for Plane {
             vector(&mut bounds.low, archive);
             vector(&mut bounds.high, archive);
         }
-        *self = Self::new(self.normal, self.offset, self.bounds);
+        *self = self.complete();
     }
 }
 

@@ -104,7 +104,17 @@ impl Plane {
             normal,
             offset,
             bounds,
-            is_near: bounds.is_some_and(|bounds| bounds.are_near(normal, offset)),
+            is_near: false,
+        }
+        .complete()
+    }
+
+    /// The plane with what follows from where it is.
+    pub(crate) fn complete(self) -> Self {
+        let bounds = self.bounds.as_ref();
+        Self {
+            is_near: bounds.is_some_and(|bounds| bounds.are_near(self.normal, self.offset)),
+            ..self
         }
     }
 
