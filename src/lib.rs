@@ -59,6 +59,7 @@ mod output;
 mod pixel;
 mod prepare;
 mod prepared;
+mod rare;
 mod raster;
 mod ray;
 mod renderer;

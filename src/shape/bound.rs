@@ -2,7 +2,8 @@ use fixed::types::I8F56;
 
 use crate::Vec3;
 use crate::num::{InverseLength, Length, Square, Unit, quotient, square_root};
-use crate::vector::high;
+use crate::rare::inverse_length;
+use crate::vector::{high, normalize};
 
 /// A sphere around all of a finite shape.
 ///
@@ -32,7 +33,8 @@ impl Bound {
             let cosine = quotient(root(tangent_squared).max(1), root(square)).to_bits();
             sight.least = cosine as i32 - MARGIN;
             // Q30 -> Q14, rounded
-            let away = -to_center.normalized().0;
+            let inverse = inverse_length(square.to_bits() as u64);
+            let away = -normalize(to_center.map(Length::to_bits), inverse);
             sight.away = away.map(|c| ((c.to_bits() + (1 << 15)) >> 16) as i16);
         }
         sight

@@ -1,0 +1,15 @@
+//! Roots and reciprocals by calls: for what is rare, where flash counts more than time.
+
+use crate::num::{self, InverseLength};
+
+/// [`num::inverse_length`], not inlined.
+#[inline(never)]
+pub(crate) fn inverse_length(square: u64) -> InverseLength {
+    num::inverse_length(square)
+}
+
+/// [`num::reciprocal`], not inlined.
+#[inline(never)]
+pub(crate) fn reciprocal(x: u32) -> u32 {
+    num::reciprocal(x)
+}
