@@ -185,17 +185,17 @@ fn filtered(
         left = left.filtered(scene.transmitted(object, point));
         !left.is_black()
     };
-    let (ray, crossings) = match &object.shape {
-        Shape::Sphere(sphere) => shadow.of_sphere(sphere, is_start),
-        Shape::Quadric(quadric) => shadow.of_quadric(quadric, is_start),
+    let mut ray = shadow.beam();
+    let crossings = match &object.shape {
+        Shape::Sphere(sphere) => shadow.of_sphere(sphere, &ray, is_start),
+        Shape::Quadric(quadric) => shadow.of_quadric(quadric, &mut ray, is_start),
         Shape::Plane(plane) => {
-            if let Some(point) = shadow.of_plane(plane) {
+            if let Some(point) = shadow.of_plane(plane, &ray) {
                 pass(point);
             }
             return left;
         }
         Shape::Sphereflake(flake) => {
-            let ray = shadow.beam();
             let from = is_start.then_some(shadow.ray.start);
             flake.crossings(&ray, from, shadow.distance(), observer, &mut |distance| {
                 pass(ray.at(distance))
@@ -211,43 +211,35 @@ fn filtered(
     left
 }
 
-/// A ray, and where it crosses an object.
-type Crossings = (Ray, [Option<Scaled>; 2]);
+/// Where a ray crosses an object.
+type Crossings = [Option<Scaled>; 2];
 
 impl ShadowRay<'_> {
-    fn of_sphere(&self, sphere: &Sphere, is_start: bool) -> Crossings {
-        let ray = self.beam();
+    fn of_sphere(&self, sphere: &Sphere, ray: &Ray, is_start: bool) -> Crossings {
         let [entry, exit] = sphere.crossings(self.light.position, ray.direction);
         // From the inside of a sphere the exit is the lit point itself.
         let exit = exit.filter(|_| !is_start);
         let ahead = |it: Option<Length>| it.filter(|distance| *distance > Length::ZERO);
-        (
-            ray,
-            [ahead(entry), ahead(exit)].map(|it| it.map(Scaled::unordered)),
-        )
+        [ahead(entry), ahead(exit)].map(|it| it.map(Scaled::unordered))
     }
 
     /// Its own surface is looked for from the point, where one root is known.
-    fn of_quadric(&self, quadric: &Quadric, is_start: bool) -> Crossings {
-        let (ray, start) = if is_start {
-            let back = Ray {
+    fn of_quadric(&self, quadric: &Quadric, ray: &mut Ray, is_start: bool) -> Crossings {
+        if is_start {
+            *ray = Ray {
                 origin: self.ray.origin,
-                direction: self.direction(),
+                direction: -ray.direction,
                 start: self.ray.start,
             };
-            (back, Some(self.ray.start.inward))
-        } else {
-            (self.beam(), None)
-        };
-        (ray, quadric.crossings(&ray, start))
+        }
+        quadric.crossings(ray, is_start.then_some(self.ray.start.inward))
     }
 
-    fn of_plane(&self, plane: &Plane) -> Option<Point> {
+    fn of_plane(&self, plane: &Plane, ray: &Ray) -> Option<Point> {
         let point = if plane.may_hold(self.ray.origin) {
             self.ray.origin
         } else {
-            let ray = self.beam();
-            ray.far_at(plane.unbounded_distance(&ray)?)
+            ray.far_at(plane.unbounded_distance(ray)?)
         };
         plane.covers(point).then_some(point)
     }
