@@ -203,9 +203,9 @@ fn filtered(
             return left;
         }
     };
-    for distance in crossings.into_iter().flatten() {
+    for distance in crossings.iter().flatten() {
         if (1..shadow.reach()).contains(&distance.to_bits()) {
-            pass(ray.far_at(distance));
+            pass(ray.far_at(*distance));
         }
     }
     left
