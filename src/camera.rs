@@ -67,14 +67,14 @@ impl View {
         let square = |side| square_above(side, coarser);
         let longest_squared = square(1 << 28) + square(sides[0]) + square(sides[1]);
         let longest = u64::from(square_root(longest_squared)) << coarser;
-        // What makes it 7/8: U1F31.
+        // What makes it 7/8: U1F31, below 1.
         let scale = quotient(7 << 26, longest).to_bits() as u32;
         let scaled_g = (wide((g >> 32) as u32, scale) << 1) + (wide(g as u32, scale) >> 31);
         let g_shift = scaled_g.max(1).leading_zeros();
         let g_mantissa = ((scaled_g << g_shift) >> 32) as u32;
         // I2F30 * (U6F58 as a 32-bit mantissa) -> Q62
         let half_pixel = |c: Unit| shifted_down(c, g_mantissa, g_shift.saturating_sub(6));
-        let forward = camera.forward.map(|c| c.to_bits().product(scale) << 1);
+        let forward = camera.forward.map(|c| c.to_bits().product(scale as i32) << 1);
         let right = camera.right.map(half_pixel);
         Self {
             eye: camera.eye,
@@ -116,22 +116,23 @@ impl View {
         // Y: Q58 -> Q26
         let height = ((up * self.half_pixel as i64) >> 32) as i32;
         // 1 + Y² in Q48, its root from 1 to 12 in Q24, and the root's reciprocal in Q30.
-        let stretch = inverse_length((1 << 48) + (height.square() >> 4) as u64);
-        let cosine = (stretch.inverse >> 9_u32.saturating_sub(stretch.half_shift)) as i32;
+        let square = (1 << 48) + (height.square() >> 4) as u64;
+        let inverse = inverse_length(square);
+        let cosine = (inverse.inverse >> 9_u32.saturating_sub(inverse.half_shift)) as i32;
         // Q26 * Q30 -> Q30
         let sine = (height.product(cosine) >> 26) as i32;
         let (forward, up) = (&camera.forward, &camera.up);
         let Line {
             direction, step, ..
         } = self.line(y);
-        let end = |steps| stepped(direction, &step, steps).map(|c| Unit::from_bits(high(c)));
+        let last = stepped(direction, &step, self.width as i32 - 1);
         Row {
             eye: self.eye,
-            ends: [end(0), end(self.width as i32 - 1)],
+            ends: [direction, last].map(|end| end.map(|c| Unit::from_bits(high(c)))),
             ahead: sum(forward, cosine, up, sine),
             aside: sum(up, cosine, forward, -sine),
             right: camera.right,
-            scale: quotient(stretch.length().into(), self.half_pixel),
+            scale: quotient(square_root(square).into(), self.half_pixel),
             width: self.width as u16,
         }
     }
