@@ -8,12 +8,12 @@ use crate::ray::Point;
 use crate::shape::Plane;
 use crate::vector::high;
 
-/// `c * factor / 2^shift`, rounded down.
+/// A vector times `factor / 2^shift`, rounded down.
 ///
 /// As other small functions here it is not inlined: views are rare, and lines are long.
 #[inline(never)]
-fn shifted_down(c: Unit, factor: u32, shift: u32) -> i64 {
-    c.to_bits().product(factor) >> shift
+fn scaled(v: &Vec3<Unit>, factor: u32, shift: u32) -> Vec3<i64> {
+    v.map(|c| c.to_bits().product(factor) >> shift)
 }
 
 /// The square of `side / 2^shift`, or a little more.
@@ -45,8 +45,8 @@ pub(crate) struct View {
     left: Vec3<i64>,
     /// `g r`: half a pixel to the right.
     right: Vec3<i64>,
-    /// `-g u`: half a pixel down.
-    down: Vec3<i64>,
+    /// `g u`: half a pixel up.
+    up: Vec3<i64>,
     /// g as `U6F58`.
     half_pixel: u64,
     pub(crate) width: u32,
@@ -73,14 +73,14 @@ impl View {
         let g_shift = scaled_g.max(1).leading_zeros();
         let g_mantissa = ((scaled_g << g_shift) >> 32) as u32;
         // I2F30 * (U6F58 as a 32-bit mantissa) -> Q62
-        let half_pixel = |c: Unit| shifted_down(c, g_mantissa, g_shift.saturating_sub(6));
-        let forward = camera.forward.map(|c| c.to_bits().product(scale as i32) << 1);
-        let right = camera.right.map(half_pixel);
+        let half_pixel = |v| scaled(v, g_mantissa, g_shift.saturating_sub(6));
+        let forward = scaled(&camera.forward, scale << 1, 0);
+        let right = half_pixel(&camera.right);
         Self {
             eye: camera.eye,
             left: stepped(forward, &right, 1 - width as i32),
             right,
-            down: camera.up.map(|c| -half_pixel(c)),
+            up: half_pixel(&camera.up),
             half_pixel: g,
             width,
             height,
@@ -99,8 +99,8 @@ impl View {
     /// The directions of the rays of line `y`, from left to right.
     #[inline(never)]
     pub(crate) fn line(&self, y: u32) -> Line {
-        let down = 2 * y.min(MAX_SIDE) as i32 + 1 - self.height as i32;
-        let first = stepped(self.left, &self.down, down);
+        let up = self.height as i32 - 2 * y.min(MAX_SIDE) as i32 - 1;
+        let first = stepped(self.left, &self.up, up);
         Line {
             // Half a step of a direction, which is then rounded by what is cut off.
             direction: first.map(|c| c.wrapping_add(1 << 31)),
