@@ -98,17 +98,19 @@ impl Quadric {
     #[inline(never)]
     pub(crate) fn crossings(&self, ray: &Ray, start: Option<bool>) -> [Option<Scaled>; 2] {
         let quadratic = self.quadratic(ray);
-        let roots = match start {
+        let mut roots = match start {
             None => quadratic.roots(),
             Some(inward) => [quadratic.across(inward), None],
         };
-        roots.map(|root| {
-            let distance = Scaled {
-                exponent: root?.exponent + i32::from(ray.origin.shift),
-                ..root?
-            };
-            self.reaches(ray, distance).then_some(distance)
-        })
+        for root in &mut roots {
+            if let Some(distance) = root {
+                distance.exponent += i32::from(ray.origin.shift);
+                if !self.reaches(ray, *distance) {
+                    *root = None;
+                }
+            }
+        }
+        roots
     }
 
     /// The nearest of them.

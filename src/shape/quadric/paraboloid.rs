@@ -18,6 +18,12 @@ pub(crate) struct Paraboloid {
 }
 
 impl Paraboloid {
+    /// g as `U1F31`: 2^-31 at least.
+    #[inline]
+    fn g(&self) -> u32 {
+        (1 << 31) >> self.focus
+    }
+
     /// Its largest radius so far from its center along y, if it is near.
     pub(super) fn widest(&self, height: Length) -> Option<Length> {
         // Q28 -> Q56
@@ -31,15 +37,15 @@ impl Paraboloid {
     /// `r² |d|² + (g dy / 2)² + g (dx w_z - dz w_x) - w_y²`, |d| without dy.
     #[inline]
     pub(super) fn quadratic(&self, offset: Vec3<Length>, direction: Vec3<Unit>) -> Quadratic {
-        let (squeeze, focus) = (u32::from(self.squeeze), u32::from(self.focus));
+        let (squeeze, focus, g) = (u32::from(self.squeeze), u32::from(self.focus), self.g());
         let o = Vec3::new(offset.x >> squeeze, offset.y, offset.z >> squeeze);
         let d = Vec3::new(direction.x >> squeeze, direction.y, direction.z >> squeeze);
         let a = (d.x.square() + d.z.square()).to_bits();
         let radius_squared = self.radius_squared.to_bits();
         let reach = upper_product(radius_squared as u64, a as u64, 4) as i64;
         let w = moment(o, d);
-        // g d.y / 2: Q30 -> Q58, and its square: Q60 -> Q56
-        let rise = (i64::from(d.y.to_bits()) << 27) >> focus;
+        // g d.y / 2: Q30 * Q31 -> Q61 -> Q58, and its square: Q60 -> Q56
+        let rise = d.y.to_bits().product(g) >> 4;
         let rise_squared = (d.y.square().to_bits() >> 6) >> (2 * focus).min(63);
         // Q28 * Q30 -> Q58 -> Q56. The cross product's signs: w_z is
         // o.x d.y - o.y d.x, the opposite of what the formula needs.
@@ -48,7 +54,7 @@ impl Paraboloid {
             a,
             b: (o.x.product(d.x) + o.z.product(d.z)).to_bits() - rise,
             c: (o.x.square() + o.z.square()).to_bits()
-                - ((i64::from(o.y.to_bits()) << 28) >> focus)
+                - (o.y.to_bits().product(g) >> 3)
                 - radius_squared,
             discriminant: reach + rise_squared + lean - w.y.square().to_bits(),
         }
@@ -59,11 +65,7 @@ impl Paraboloid {
     pub(super) fn gradient(&self, offset: Vec3<Length>) -> Vec3<i64> {
         let squeeze = 2 * u32::from(self.squeeze);
         // Q32, for the sake of the last bits of g.
-        let radial = |c: Length| (i64::from(c.to_bits()) << 4) >> squeeze;
-        Vec3::new(
-            radial(offset.x),
-            -((1 << 31) >> self.focus),
-            radial(offset.z),
-        )
+        let radial = |c: Length| c.to_bits().product(16_i32 >> squeeze);
+        Vec3::new(radial(offset.x), -i64::from(self.g()), radial(offset.z))
     }
 }
