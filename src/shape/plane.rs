@@ -47,11 +47,9 @@ impl Bounds {
     /// Whether all points within of a plane are near. Of other planes than these, boards
     /// and floors, it need not be known.
     fn are_near(&self, normal: Vec3<Unit>, offset: i64) -> bool {
-        let between = self.low.zip(self.high, |low, high| {
-            is_near(low.to_bits().into()) && is_near(high.to_bits().into())
-        });
+        let between = self.low.zip(self.high, are_near);
         let n = normal.map(Unit::to_bits);
-        let is_level = is_near(offset);
+        let is_level = offset.abs() < i64::from(NEAREST_FAR);
         (between.x || is_level && n.y | n.z == 0)
             && (between.y || is_level && n.x | n.z == 0)
             && (between.z || is_level && n.x | n.y == 0)
@@ -263,9 +261,13 @@ impl Plane {
     }
 }
 
+/// What is below is near for sure.
+const NEAREST_FAR: i32 = NEAR - 16;
+
 #[inline(never)]
-fn is_near(bits: i64) -> bool {
-    bits.abs() < i64::from(NEAR) - 16
+fn are_near(low: Length, high: Length) -> bool {
+    let is_near = |end: Length| end.to_bits().unsigned_abs() < NEAREST_FAR as u32;
+    is_near(low) && is_near(high)
 }
 
 /// Whether a ray has left all that is near after a distance: if it was told so by the
