@@ -112,24 +112,23 @@ fn kind_of(shape: &Shape) -> u8 {
 }
 
 /// The shape that a kind begins with, before its fields are read.
-fn blank(kind: u8) -> Option<Shape> {
-    let quadric = |form| {
-        Shape::Quadric(Quadric {
-            form,
-            ..Quadric::default()
-        })
+fn blank(kind: u8) -> Shape {
+    let form = match kind {
+        kind::PLANE | kind::BOUNDED_PLANE => {
+            let bounds = (kind == kind::BOUNDED_PLANE).then_some(Bounds::ENDLESS);
+            return Shape::Plane(Plane::new(Vec3::default(), 0, bounds));
+        }
+        kind::ELLIPSOID => Form::Ellipsoid(Ellipsoid::default()),
+        kind::CYLINDER => Form::Cylinder(Cylinder::default()),
+        kind::CONE => Form::Cone(Cone::default()),
+        kind::PARABOLOID => Form::Paraboloid(Paraboloid::default()),
+        kind::SPHEREFLAKE => return Shape::Sphereflake(Sphereflake::default()),
+        // An unknown kind becomes a sphere without a radius, which is not valid.
+        _ => return Shape::Sphere(Sphere::default()),
     };
-    let plane = |bounds| Shape::Plane(Plane::new(Vec3::default(), 0, bounds));
-    Some(match kind {
-        kind::SPHERE => Shape::Sphere(Sphere::default()),
-        kind::PLANE => plane(None),
-        kind::BOUNDED_PLANE => plane(Some(Bounds::ENDLESS)),
-        kind::ELLIPSOID => quadric(Form::Ellipsoid(Ellipsoid::default())),
-        kind::CYLINDER => quadric(Form::Cylinder(Cylinder::default())),
-        kind::CONE => quadric(Form::Cone(Cone::default())),
-        kind::PARABOLOID => quadric(Form::Paraboloid(Paraboloid::default())),
-        kind::SPHEREFLAKE => Shape::Sphereflake(Sphereflake::default()),
-        _ => return None,
+    Shape::Quadric(Quadric {
+        form,
+        ..Quadric::default()
     })
 }
 
@@ -140,8 +139,7 @@ impl Fields for Shape {
         let mut read = kind;
         read.visit(archive);
         if read != kind {
-            // An unknown kind becomes a sphere without a radius, which is not valid.
-            *self = blank(read).unwrap_or_default();
+            *self = blank(read);
         }
         match self {
             Self::Sphere(sphere) => sphere.visit(archive),
