@@ -3,7 +3,7 @@
 use crate::Vec3;
 use crate::num::{Length, Product, Scaled, Square, Unit, quotient, square_root, wide};
 use crate::prepared::Camera;
-use crate::rare::{inverse_length, reciprocal};
+use crate::rare::{inverse_length, reciprocal, to_bits};
 use crate::ray::Point;
 use crate::shape::Plane;
 use crate::vector::high;
@@ -68,7 +68,7 @@ impl View {
         let longest_squared = square(1 << 28) + square(sides[0]) + square(sides[1]);
         let longest = u64::from(square_root(longest_squared)) << coarser;
         // What makes it 7/8: U1F31, below 1.
-        let scale = quotient(7 << 26, longest).to_bits() as u32;
+        let scale = to_bits(quotient(7 << 26, longest)) as u32;
         let scaled_g = (wide((g >> 32) as u32, scale) << 1) + (wide(g as u32, scale) >> 31);
         let g_shift = scaled_g.max(1).leading_zeros();
         let g_mantissa = ((scaled_g << g_shift) >> 32) as u32;

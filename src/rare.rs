@@ -1,6 +1,6 @@
-//! Roots and reciprocals by calls: for what is rare, where flash counts more than time.
+//! Roots, reciprocals and shifts of 64 bits by calls: for what is rare, where flash counts more than time.
 
-use crate::num::{self, InverseLength};
+use crate::num::{self, InverseLength, Scaled};
 
 /// [`num::inverse_length`], not inlined.
 #[inline(never)]
@@ -12,4 +12,10 @@ pub(crate) fn inverse_length(square: u64) -> InverseLength {
 #[inline(never)]
 pub(crate) fn reciprocal(x: u32) -> u32 {
     num::reciprocal(x)
+}
+
+/// [`Scaled::to_bits`], not inlined.
+#[inline(never)]
+pub(crate) fn to_bits(x: Scaled) -> i64 {
+    x.to_bits()
 }

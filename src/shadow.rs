@@ -7,6 +7,7 @@
 use crate::num::{Factor, InverseLength, Length, Scaled, Unit, Weight};
 use crate::observer::{Observer, RayKind};
 use crate::prepared::{Light, Object, PreparedScene};
+use crate::rare::to_bits;
 use crate::ray::{Nature, Point, Ray, Start};
 use crate::shape::{Plane, Quadric, Shape, Sphere, narrowed};
 use crate::texture::Texture;
@@ -204,7 +205,7 @@ fn filtered(
         }
     };
     for distance in crossings.iter().flatten() {
-        if (1..shadow.reach()).contains(&distance.to_bits()) {
+        if (1..shadow.reach()).contains(&to_bits(*distance)) {
             pass(ray.far_at(*distance));
         }
     }

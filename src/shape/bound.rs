@@ -2,7 +2,7 @@ use fixed::types::I8F56;
 
 use crate::Vec3;
 use crate::num::{InverseLength, Length, Square, Unit, quotient, square_root};
-use crate::rare::inverse_length;
+use crate::rare::{inverse_length, to_bits};
 use crate::vector::{high, normalize};
 
 /// A sphere around all of a finite shape.
@@ -30,7 +30,7 @@ impl Bound {
         if tangent_squared > 0 {
             // Q56 -> Q28
             let root = |square: I8F56| u64::from(square_root(square.to_bits() as u64));
-            let cosine = quotient(root(tangent_squared).max(1), root(square)).to_bits();
+            let cosine = to_bits(quotient(root(tangent_squared).max(1), root(square)));
             sight.least = cosine as i32 - MARGIN;
             // Q30 -> Q14, rounded
             let inverse = inverse_length(square.to_bits() as u64);
