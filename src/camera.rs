@@ -1,9 +1,9 @@
 //! Where rays come from: a pinhole camera in front of a raster of pixels.
 
 use crate::Vec3;
+use crate::num::rare::{inverse_length, reciprocal, to_bits};
 use crate::num::{Length, Product, Scaled, Square, Unit, quotient, square_root, wide};
 use crate::prepared::Camera;
-use crate::rare::{inverse_length, reciprocal, to_bits};
 use crate::ray::Point;
 use crate::shape::Plane;
 use crate::vector::high;

@@ -59,7 +59,6 @@ mod output;
 mod pixel;
 mod prepare;
 mod prepared;
-mod rare;
 mod raster;
 mod ray;
 mod renderer;

@@ -16,6 +16,7 @@
 
 mod decimal;
 mod product;
+pub(crate) mod rare;
 
 pub(crate) use decimal::Decimal;
 pub(crate) use long_multiply::{leading_zeros, middle};

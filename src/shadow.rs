@@ -4,10 +4,10 @@
 //! way is known without a root and without the point where it is met. Only
 //! what lets light through, or is of a rarer shape, is looked at more closely.
 
+use crate::num::rare::to_bits;
 use crate::num::{Factor, InverseLength, Length, Scaled, Unit, Weight};
 use crate::observer::{Observer, RayKind};
 use crate::prepared::{Light, Object, PreparedScene};
-use crate::rare::to_bits;
 use crate::ray::{Nature, Point, Ray, Start};
 use crate::shape::{Plane, Quadric, Shape, Sphere, narrowed};
 use crate::texture::Texture;

@@ -1,8 +1,8 @@
 use fixed::types::I8F56;
 
 use crate::Vec3;
+use crate::num::rare::{inverse_length, to_bits};
 use crate::num::{InverseLength, Length, Square, Unit, quotient, square_root};
-use crate::rare::{inverse_length, to_bits};
 use crate::vector::{high, normalize};
 
 /// A sphere around all of a finite shape.

@@ -21,7 +21,7 @@ impl Paraboloid {
     /// g as `U1F31`: 2^-31 at least.
     #[inline]
     fn g(&self) -> u32 {
-        (1 << 31) >> self.focus
+        (1_u32 << 31).unbounded_shr(self.focus.into())
     }
 
     /// Its largest radius so far from its center along y, if it is near.

@@ -1,6 +1,6 @@
 use crate::Vec3;
+use crate::num::rare::inverse_length;
 use crate::num::{Length, Product, Scaled, Unit, quotient, wide};
-use crate::rare::inverse_length;
 
 /// `a t² + 2 b t + c = 0`, the equation of a ray and a quadric.
 ///

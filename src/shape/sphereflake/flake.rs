@@ -3,8 +3,8 @@ use core::ops::Neg;
 use fixed::types::{I3F29, U0F32, U1F15};
 
 use crate::Vec3;
+use crate::num::rare::reciprocal;
 use crate::num::{Length, Product, Unit};
-use crate::rare::reciprocal;
 use crate::vector::round_unit;
 
 use super::super::bound::Bound;

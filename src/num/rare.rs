@@ -1,0 +1,22 @@
+//! Roots, reciprocals and shifts of 64 bits by calls: for what is rare, where flash
+//! counts more than time.
+
+use super::{InverseLength, Scaled};
+
+/// [`super::inverse_length`], not inlined.
+#[inline(never)]
+pub(crate) fn inverse_length(square: u64) -> InverseLength {
+    super::inverse_length(square)
+}
+
+/// [`super::reciprocal`], not inlined.
+#[inline(never)]
+pub(crate) fn reciprocal(x: u32) -> u32 {
+    super::reciprocal(x)
+}
+
+/// [`Scaled::to_bits`], not inlined.
+#[inline(never)]
+pub(crate) fn to_bits(x: Scaled) -> i64 {
+    x.to_bits()
+}
