@@ -19,8 +19,8 @@ mod product;
 pub(crate) mod rare;
 
 pub(crate) use decimal::Decimal;
+use long_multiply::{by_16_bits, square_of_21_bits};
 pub(crate) use long_multiply::{leading_zeros, middle};
-use long_multiply::{square_of_21_bits, step};
 pub(crate) use product::{Product, Square};
 
 /// An authored number: the range and precision of a scene as it is written
@@ -271,7 +271,7 @@ pub(crate) fn reciprocal_root(x: u32) -> u32 {
 #[inline(always)]
 fn refined(y: u32, error: i32) -> u32 {
     // The step is below 2^-15 of `y`: 16 bits of that are enough.
-    (y << 11).wrapping_add_signed(step((y >> 5) as u16, error))
+    (y << 11).wrapping_add_signed(by_16_bits((y >> 5) as u16, error))
 }
 
 /// The full product of two words.

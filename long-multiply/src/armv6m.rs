@@ -83,122 +83,105 @@ pub(crate) fn mixed(a: i32, b: u32) -> i64 {
     i64::from(high) << 32 | i64::from(low)
 }
 
-/// Instructions that multiply a register by r4 and r3, the lower and the upper half of a
-/// number, and round the product's upper part into the register. Halves are signed, the
-/// lower one too, so that all but the product of the upper ones fits 32 bits:
-/// `(al bl) / 2^16 + al bh + ah bl`. What a shift leaves in the carry rounds. r7 is 0.
-macro_rules! multiply_rounded {
-    ($x:literal, $up:literal, $down:literal) => {
-        concat!(
-            "sxth r6, ",
-            $x,
-            "\n",
-            "asrs ",
-            $x,
-            ", ",
-            $x,
-            ", #16\n",
-            "adcs ",
-            $x,
-            ", r7\n",
-            "movs r5, r6\n",
-            "muls r5, r4, r5\n", // al bl
-            "asrs r5, r5, #16\n",
-            "muls r6, r3, r6\n", // al bh
-            "adds r5, r5, r6\n",
-            "movs r6, ",
-            $x,
-            "\n",
-            "muls r6, r4, r6\n", // ah bl
-            "adds r5, r5, r6\n",
-            "muls ",
-            $x,
-            ", r3, ",
-            $x,
-            "\n", // ah bh
-            $up,
-            "\n",
-            "asrs r5, r5, #",
-            $down,
-            "\n",
-            "adcs ",
-            $x,
-            ", r5\n",
-        )
+/// Defines an instruction that multiplies a register by r4 and r3, the lower and the upper
+/// half of a number, into bits 32 - `up` and up of the product, rounded half up; r7 is 0.
+///
+/// Halves are signed, the lower ones too: so all but the product of the upper ones,
+/// `(al bl) / 2^16 + al bh + ah bl`, fits 32 bits. What a shift leaves in the carry rounds.
+macro_rules! define_multiply {
+    () => {
+        r"
+        .macro multiply x
+            sxth r6, \x
+            asrs \x, \x, #16
+            adcs \x, r7
+            movs r5, r6
+            muls r5, r4, r5     // al bl
+            asrs r5, r5, #16
+            muls r6, r3, r6     // al bh
+            adds r5, r5, r6
+            movs r6, \x
+            muls r6, r4, r6     // ah bl
+            adds r5, r5, r6
+            muls \x, r3, \x     // ah bh
+        .if {up}
+            lsls \x, \x, #{up}
+        .endif
+            asrs r5, r5, #(16 - {up})
+            adcs \x, r5
+        .endm"
     };
 }
 
-/// Multiplies r0 by r1 into the upper bits of the product.
+/// Splits r3 for it.
+macro_rules! split {
+    () => {
+        "
+        movs r7, #0
+        sxth r4, r3
+        asrs r3, r3, #16
+        adcs r3, r7"
+    };
+}
+
+/// Multiplies r0 by r3.
 #[unsafe(naked)]
-extern "C" fn multiply_upper() {
+extern "C" fn scale_one<const UP: u32>() {
     naked_asm!(
+        define_multiply!(),
         "push {{r6, r7}}",
-        "movs r7, #0",
-        "sxth r4, r1",
-        "asrs r3, r1, #16",
-        "adcs r3, r7",
-        multiply_rounded!("r0", "lsls r0, r0, #1", "15"),
+        split!(),
+        "multiply r0",
+        ".purgem multiply",
         "pop {{r6, r7}}",
         "bx lr",
+        up = const UP,
     )
 }
 
-/// A function that multiplies each of r0, r1 and r2 by r3 and keeps r6 and up.
-macro_rules! vector_routine {
-    ($name:ident, $x:expr, $y:expr, $z:expr) => {
-        #[unsafe(naked)]
-        extern "C" fn $name() {
-            naked_asm!(
-                "push {{r6, r7}}",
-                "movs r7, #0",
-                "sxth r4, r3",
-                "asrs r3, r3, #16",
-                "adcs r3, r7",
-                $x,
-                $y,
-                $z,
-                "pop {{r6, r7}}",
-                "bx lr",
-            )
-        }
-    };
+/// Multiplies each of r0, r1 and r2 by r3.
+#[unsafe(naked)]
+extern "C" fn scale<const UP: u32>() {
+    naked_asm!(
+        define_multiply!(),
+        "push {{r6, r7}}",
+        split!(),
+        "multiply r0",
+        "multiply r1",
+        "multiply r2",
+        ".purgem multiply",
+        "pop {{r6, r7}}",
+        "bx lr",
+        up = const UP,
+    )
 }
 
-vector_routine!(
-    scale_29,
-    multiply_rounded!("r0", "lsls r0, r0, #3", "13"),
-    multiply_rounded!("r1", "lsls r1, r1, #3", "13"),
-    multiply_rounded!("r2", "lsls r2, r2, #3", "13")
-);
-vector_routine!(
-    scale_30,
-    multiply_rounded!("r0", "lsls r0, r0, #2", "14"),
-    multiply_rounded!("r1", "lsls r1, r1, #2", "14"),
-    multiply_rounded!("r2", "lsls r2, r2, #2", "14")
-);
-// r3 is less by 2^32 than what is meant, so each is added once.
-vector_routine!(
-    reduce,
-    concat!(
-        "mov r12, r0\n",
-        multiply_rounded!("r0", "", "16"),
-        "add r0, r12"
-    ),
-    concat!(
-        "mov r12, r1\n",
-        multiply_rounded!("r1", "", "16"),
-        "add r1, r12"
-    ),
-    concat!(
-        "mov r12, r2\n",
-        multiply_rounded!("r2", "", "16"),
-        "add r2, r12"
+/// The same, and adds what each was: r3 is meant to be larger by 2^32.
+#[unsafe(naked)]
+extern "C" fn reduce() {
+    naked_asm!(
+        define_multiply!(),
+        "push {{r6, r7}}",
+        split!(),
+        "mov r12, r0",
+        "multiply r0",
+        "add r0, r12",
+        "mov r12, r1",
+        "multiply r1",
+        "add r1, r12",
+        "mov r12, r2",
+        "multiply r2",
+        "add r2, r12",
+        ".purgem multiply",
+        "pop {{r6, r7}}",
+        "bx lr",
+        up = const 0,
     )
-);
+}
 
 /// Calls a routine for vectors.
 macro_rules! call_vector {
-    ($routine:ident, $v:ident, $by:expr) => {{
+    ($routine:path, $v:ident, $by:expr) => {{
         let [mut x, mut y, mut z] = $v;
         // SAFETY: the routine changes the named registers alone, and takes no memory but
         // the stack. The linker may go by r12 to one far away.
@@ -227,10 +210,9 @@ pub(crate) fn upper(mut a: i32, b: i32) -> i32 {
     unsafe {
         asm!(
             "bl {routine}",
-            routine = sym multiply_upper,
+            routine = sym scale_one::<1>,
             inout("r0") a,
-            in("r1") b,
-            out("r3") _,
+            inout("r3") b => _,
             out("r4") _,
             out("r5") _,
             out("r12") _,
@@ -244,9 +226,9 @@ pub(crate) fn upper(mut a: i32, b: i32) -> i32 {
 #[inline(always)]
 pub(crate) fn scaled<const SHIFT: u32>(v: [i32; 3], by: i32) -> [i32; 3] {
     if SHIFT == 29 {
-        call_vector!(scale_29, v, by)
+        call_vector!(scale::<3>, v, by)
     } else {
-        call_vector!(scale_30, v, by)
+        call_vector!(scale::<2>, v, by)
     }
 }
 
@@ -256,7 +238,7 @@ pub(crate) fn reduced(v: [i32; 3], by: u32) -> [i32; 3] {
 }
 
 #[inline(always)]
-pub(crate) fn step(a: u16, b: i32) -> i32 {
+pub(crate) fn by_16_bits(a: u16, b: i32) -> i32 {
     let a = u32::from(a);
     let (low, high) = (b as u32 & 0xffff, (b >> 16) as u32);
     let sum = a.wrapping_mul(low) >> 16;

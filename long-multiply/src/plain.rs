@@ -45,7 +45,7 @@ pub(crate) fn middle(a: u32, b: u32) -> u32 {
 }
 
 #[inline(always)]
-pub(crate) fn step(a: u16, b: i32) -> i32 {
+pub(crate) fn by_16_bits(a: u16, b: i32) -> i32 {
     (signed(i32::from(a) << 1, b) >> 32) as i32
 }
 

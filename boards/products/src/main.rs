@@ -78,7 +78,7 @@ fn holds(a: u32, b: u32) -> Result<(), (u32, u32)> {
         && long_multiply::scaled::<29>(v, j) == scaled(29, j)
         && long_multiply::scaled::<30>(v, j) == scaled(30, j)
         && long_multiply::scaled::<30>(v, i) == scaled(30, i)
-        && long_multiply::step(a as u16, j) == ((i64::from(a as u16) * half_j) >> 31) as i32
+        && long_multiply::by_16_bits(a as u16, j) == ((i64::from(a as u16) * half_j) >> 31) as i32
         && long_multiply::upper(i, j) == scaled_one(31)
         && long_multiply::reduced(v, upper) == reduced
         && long_multiply::leading_zeros(a) == black_box(a).leading_zeros();
