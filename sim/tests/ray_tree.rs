@@ -56,7 +56,7 @@ const TREE: &str = r#"E object 0, sphere "glass": weight 1.0000, local 0.2500
    │  └─ S light 1: blocked
    └─ T object 1, plane "mirror" or "mirror": weight (0.2500, 0.2500, 0.0625), local (0.0000, 0.1250, 0.0000)
       └─ S light 0: filtered by (0.2500, 0.2500, 0.0625)
-color: (0.3125, 0.3437, 0.5156)
+color: (0.3125, 0.3438, 0.5156)
 8 bit: (80, 88, 131)
 rays: 9: 1 eye, 2 reflected, 2 transmitted, 4 shadow
 "#;
