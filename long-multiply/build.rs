@@ -1,11 +1,14 @@
-//! Tells Armv6-M, which no stable `cfg` names.
+//! Tells Armv6-M and its successors, which no stable `cfg` names.
 
 use std::env;
 
 fn main() {
-    println!("cargo::rustc-check-cfg=cfg(armv6m)");
+    println!("cargo::rustc-check-cfg=cfg(armv6m, armv7m)");
     println!("cargo::rerun-if-changed=build.rs");
-    if env::var("TARGET").is_ok_and(|target| target.starts_with("thumbv6m-")) {
+    let target = env::var("TARGET").unwrap_or_default();
+    if target.starts_with("thumbv6m-") {
         println!("cargo::rustc-cfg=armv6m");
+    } else if target.starts_with("thumbv7") || target.starts_with("thumbv8m.main") {
+        println!("cargo::rustc-cfg=armv7m");
     }
 }

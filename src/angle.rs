@@ -69,8 +69,8 @@ impl Turn {
         let sin = self.sin.product(next.cos) + self.cos.product(next.sin);
         // Q60 -> Q30
         Self {
-            cos: round_unit(cos.to_bits(), 30),
-            sin: round_unit(sin.to_bits(), 30),
+            cos: round_unit::<30>(cos.to_bits()),
+            sin: round_unit::<30>(sin.to_bits()),
         }
     }
 

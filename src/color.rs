@@ -1,5 +1,7 @@
 //! Linear colors, and the products of the formats that tracing uses.
 
+use long_multiply::by_17_bits;
+
 use crate::Real;
 use crate::num::{Factor, Intensity, Radiance, Weight, wide};
 
@@ -75,12 +77,12 @@ impl Color<Factor> {
 
     /// `coefficient * intensity * color`: what a surface reflects of a light.
     ///
-    /// `U1F15 * U16F16 -> Q16, * U1F15 -> Q31 -> U2F30`; never above 1.
+    /// `U1F15 * U1F15 -> Q30, * U16F16 -> Q29 -> U2F30`; never above 1.
     #[inline(always)]
     pub(crate) fn reflect(self, intensity: Intensity, light: Self) -> Color<Radiance> {
         self.zip(light, |coefficient, light| {
-            let light = (u32::from(light.to_bits()) * intensity.to_bits() + (1 << 14)) >> 15;
-            Radiance::from_bits((u32::from(coefficient.to_bits()) * light) >> 1)
+            let most = u32::from(coefficient.to_bits()).wrapping_mul(light.to_bits().into());
+            Radiance::from_bits(by_17_bits(intensity.to_bits(), most) << 1)
         })
     }
 }

@@ -20,7 +20,7 @@ pub(crate) mod rare;
 
 pub(crate) use decimal::Decimal;
 use long_multiply::{by_16_bits, square_of_21_bits};
-pub(crate) use long_multiply::{leading_zeros, middle};
+pub(crate) use long_multiply::{leading_zeros, middle, rounded};
 pub(crate) use product::{Product, Square};
 
 /// An authored number: the range and precision of a scene as it is written
@@ -120,18 +120,22 @@ impl Scaled {
 }
 
 /// The upper word of a number above 0 once it is shifted up by as many bits as
-/// there are free, and by how many that is; an even number if the mask is 30
-/// and not 31.
-///
-/// By shifts of words: those of 64 bits are calls on the M0+.
+/// there are free, and by how many that is.
 #[inline(always)]
-fn shifted_up(x: u64, mask: u32) -> (u32, u32) {
+fn shifted_up(x: u64) -> (u32, u32) {
     let (mut high, mut low, mut shift) = ((x >> 32) as u32, x as u32, 0);
     if high == 0 {
         (high, low, shift) = (scarce(low), 0, 32);
     }
-    let up = leading_zeros(high) & mask;
-    (high << up | (low >> 1) >> (31 - up), shift + up)
+    let up = leading_zeros(high);
+    (shifted(high, low, up), shift + up)
+}
+
+/// The upper one of two words, shifted up by 0 to 31 bits: by shifts of words, as those
+/// of 64 bits are calls on the M0+.
+#[inline(always)]
+fn shifted(high: u32, low: u32, up: u32) -> u32 {
+    high << up | (low >> 1) >> (31 - up)
 }
 
 /// Few numbers are so small, and a test costs less than to count them in.
@@ -147,8 +151,8 @@ fn scarce(low: u32) -> u32 {
 /// of 2^-28.
 #[inline]
 pub(crate) fn quotient(n: u64, d: u64) -> Scaled {
-    let ((n, n_shift), (d, d_shift)) = (shifted_up(n, 31), shifted_up(d, 31));
-    let (mantissa, last) = shifted_up(wide(n, reciprocal(d | 1 << 31)), 31);
+    let ((n, n_shift), (d, d_shift)) = (shifted_up(n), shifted_up(d));
+    let (mantissa, last) = shifted_up(wide(n, reciprocal(d | 1 << 31)));
     // n = mantissa * 2^(32 - n_shift), 1/d = reciprocal * 2^(d_shift - 95) and
     // product = the quotient's mantissa * 2^(32 - last).
     Scaled {
@@ -161,7 +165,7 @@ pub(crate) fn quotient(n: u64, d: u64) -> Scaled {
 /// error below 2^-30; shifted left by `shift`.
 #[inline(never)]
 pub(crate) fn upper_product(a: u64, b: u64, shift: u32) -> u64 {
-    let ((a, a_shift), (b, b_shift)) = (shifted_up(a, 31), shifted_up(b, 31));
+    let ((a, a_shift), (b, b_shift)) = (shifted_up(a), shifted_up(b));
     let product = wide(a, b);
     let down = (a_shift + b_shift) as i32 - shift as i32;
     if down >= 0 {
@@ -271,7 +275,7 @@ pub(crate) fn reciprocal_root(x: u32) -> u32 {
 #[inline(always)]
 fn refined(y: u32, error: i32) -> u32 {
     // The step is below 2^-15 of `y`: 16 bits of that are enough.
-    (y << 11).wrapping_add_signed(by_16_bits((y >> 5) as u16, error))
+    (y << 11).wrapping_add_signed(by_16_bits(y >> 5, error))
 }
 
 /// The full product of two words.
@@ -284,11 +288,22 @@ pub(crate) fn wide(a: u32, b: u32) -> u64 {
 /// scaled mantissa. A zero counts as one.
 #[inline]
 pub(crate) fn inverse_length(square: u64) -> InverseLength {
-    let (normalized, shift) = shifted_up(square, 30);
+    let (high, low) = ((square >> 32) as u32, square as u32);
+    if high == 0 {
+        return rare::inverse_length_of_word(low);
+    }
+    inverse_length_of(high, low)
+}
+
+/// The same of the two words of a number from 2^32.
+#[inline(always)]
+fn inverse_length_of(high: u32, low: u32) -> InverseLength {
+    let up = leading_zeros(high) & 30;
+    let normalized = shifted(high, low, up);
     InverseLength {
         normalized,
         inverse: reciprocal_root(normalized),
-        half_shift: shift / 2,
+        half_shift: up / 2,
     }
 }
 
@@ -337,7 +352,7 @@ pub(crate) fn square_root(x: u64) -> u32 {
     if x == 0 {
         0
     } else {
-        inverse_length(x).length()
+        rare::inverse_length(x).length()
     }
 }
 

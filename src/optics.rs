@@ -1,7 +1,8 @@
 //! Where light goes at a surface: mirrored and refracted directions.
 
 use crate::Vec3;
-use crate::num::{Length, Product, Square, Unit, inverse_length, wide};
+use crate::num::rare::inverse_length;
+use crate::num::{Length, Product, Square, Unit, rounded, wide};
 use crate::vector::{round_unit, scaled};
 
 /// `V - 2 n (n·V)`, of which the second term may be 2 long.
@@ -35,10 +36,10 @@ pub(crate) fn refracted(
     }
     // Q59 -> Q56, whose root is in Q28; η c: I4F28 * I2F30 -> Q28
     let root = inverse_length((k >> 3) as u64).length() as i32;
-    let along = ((eta.product(cosine).to_bits() + (1 << 29)) >> 30) as i32 - root;
+    let along = rounded::<30>(eta.product(cosine).to_bits()) - root;
     let direction = view.zip(normal, |v, n| {
         let sum = eta.product(v).to_bits() + along.product(n.to_bits());
-        round_unit(sum, 28)
+        round_unit::<28>(sum)
     });
     Some(direction.renormalized())
 }

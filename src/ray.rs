@@ -7,7 +7,7 @@
 //! itself is only known to 2^-30, so nothing is lost by it.
 
 use crate::Vec3;
-use crate::num::{Length, Product, Scaled, Unit};
+use crate::num::{Length, Product, Scaled, Unit, rounded};
 use crate::vector::round_length;
 
 /// How far near points reach, per coordinate.
@@ -187,12 +187,11 @@ impl Ray {
     #[inline]
     pub(crate) fn at(&self, distance: Length) -> Point {
         let coordinates = self.near_at(distance);
-        let above =
-            |c: Length| (c.to_bits().wrapping_add(NEAR) as u32).saturating_sub(2 * NEAR as u32);
-        if above(coordinates.x) | above(coordinates.y) | above(coordinates.z) != 0 {
-            return self.far_at(Scaled::unordered(distance));
+        if are_near(coordinates) {
+            Point::near(coordinates)
+        } else {
+            self.far_at(Scaled::unordered(distance))
         }
-        Point::near(coordinates)
     }
 
     /// The same, if that is near, too.
@@ -234,7 +233,7 @@ impl Ray {
         if middle <= 0 {
             return None;
         }
-        let middle = ((middle + (1 << 29)) >> 30) as i32;
+        let middle = rounded::<30>(middle);
         // The ray's foot point, nearest to the scene's origin: far steps, Q58.
         let foot = coordinates.zip(self.direction, |c, d| {
             (i64::from(c.to_bits()) << 30) + d.to_bits().product(middle)
@@ -250,10 +249,16 @@ impl Ray {
     }
 }
 
+/// Whether all are within ±[`NEAR`].
+#[inline(always)]
+pub(crate) fn are_near(coordinates: Vec3<Length>) -> bool {
+    coordinates.all(|c| c.to_bits().wrapping_add(NEAR) as u32 <= 2 * NEAR as u32)
+}
+
 /// Q58 in steps of `2^shift` as a near coordinate.
 #[inline(never)]
 fn shifted_up(c: i64, shift: u8) -> Length {
-    round_length(c << shift, 30)
+    round_length::<30>(c << shift)
 }
 
 /// The largest coordinate of all.

@@ -307,7 +307,7 @@ fn sky(settings: &Settings, height: Unit) -> Color<Radiance> {
     settings.horizon.zip(settings.zenith, |horizon, zenith| {
         // Both are 1 at most, and so is what is between.
         let rise = zenith.to_bits() as i32 - horizon.to_bits() as i32;
-        let risen = round_unit(rise.product(height.to_bits()), 30).to_bits();
+        let risen = round_unit::<30>(rise.product(height.to_bits())).to_bits();
         Radiance::from_bits(horizon.to_bits().saturating_add_signed(risen))
     })
 }

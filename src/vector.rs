@@ -5,7 +5,7 @@ use core::ops::{Add, Neg, Sub};
 use fixed::types::{I4F60, I6F58, I8F56};
 
 use crate::Real;
-use crate::num::{InverseLength, Length, Product, Square, Unit, inverse_length};
+use crate::num::{InverseLength, Length, Product, Square, Unit, inverse_length, rare, rounded};
 
 /// A point or a vector: x to the right, y up, z towards the viewer.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -98,7 +98,7 @@ impl Vec3<Length> {
     #[inline]
     pub(crate) fn cross(self, direction: Vec3<Unit>) -> Self {
         let minor = |p: Length, q: Unit, r: Length, s: Unit| {
-            round_length((p.product(q) - r.product(s)).to_bits(), 30)
+            round_length::<30>((p.product(q) - r.product(s)).to_bits())
         };
         let d = direction;
         Self::new(
@@ -149,7 +149,7 @@ pub(crate) fn direction(v: Vec3<i64>) -> Option<Vec3<Unit>> {
         v.map(|c| (((c >> (most - 31)) + 1) >> 1) as i32)
     };
     let square = v.map(|c| c.square());
-    let inverse = inverse_length((square.x + square.y + square.z) as u64);
+    let inverse = rare::inverse_length((square.x + square.y + square.z) as u64);
     Some(normalize(v, inverse).renormalized())
 }
 
@@ -179,7 +179,7 @@ impl Vec3<Unit> {
     /// The cosine between two unit vectors.
     #[inline(always)]
     pub(crate) fn cosine(self, other: Self) -> Unit {
-        round_unit(self.dot(other).to_bits(), 30)
+        round_unit::<30>(self.dot(other).to_bits())
     }
 
     /// This direction, `distance` long: `I2F30 * I4F28 -> I4F28`, rounded.
@@ -195,13 +195,20 @@ impl Vec3<Unit> {
         normalize(self.map(Unit::to_bits), inverse)
     }
 
+    /// The same, not inlined.
+    #[inline(never)]
+    pub(crate) fn unit_of_few(self) -> Self {
+        let inverse = rare::inverse_length(self.squared().to_bits() as u64);
+        normalize(self.map(Unit::to_bits), inverse)
+    }
+
     /// A vector of nearly unit length made unit by one Newton step: n(3 - n²)/2.
     ///
     /// Deviations up to 2^-16 vanish in the rounding.
     #[inline]
     pub(crate) fn renormalized(self) -> Self {
         // Q60 -> Q30, a word of few bits
-        let square = (((self.squared().to_bits() >> 29) as u32).wrapping_add(1) >> 1) as i32;
+        let square = rounded::<30>(self.squared().to_bits());
         let excess = (1_i32 << 30).wrapping_sub(square);
         self.map(|c| {
             let step = (c.to_bits() >> 16)
@@ -227,16 +234,16 @@ pub(crate) fn high(bits: i64) -> i32 {
     (bits >> 32) as i32
 }
 
-/// Rounds away the low `shift` bits.
+/// Rounds away the low `SHIFT` bits.
 #[inline(always)]
-pub(crate) fn round_unit(bits: i64, shift: u32) -> Unit {
-    Unit::from_bits(((bits + (1 << (shift - 1))) >> shift) as i32)
+pub(crate) fn round_unit<const SHIFT: u32>(bits: i64) -> Unit {
+    Unit::from_bits(rounded::<SHIFT>(bits))
 }
 
-/// Rounds away the low `shift` bits.
+/// Rounds away the low `SHIFT` bits.
 #[inline(always)]
-pub(crate) fn round_length(bits: i64, shift: u32) -> Length {
-    Length::from_bits(((bits + (1 << (shift - 1))) >> shift) as i32)
+pub(crate) fn round_length<const SHIFT: u32>(bits: i64) -> Length {
+    Length::from_bits(rounded::<SHIFT>(bits))
 }
 
 #[cfg(test)]

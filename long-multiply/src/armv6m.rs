@@ -238,11 +238,17 @@ pub(crate) fn reduced(v: [i32; 3], by: u32) -> [i32; 3] {
 }
 
 #[inline(always)]
-pub(crate) fn by_16_bits(a: u16, b: i32) -> i32 {
-    let a = u32::from(a);
+pub(crate) fn by_16_bits(a: u32, b: i32) -> i32 {
     let (low, high) = (b as u32 & 0xffff, (b >> 16) as u32);
     let sum = a.wrapping_mul(low) >> 16;
     sum.wrapping_add(a.wrapping_mul(high)) as i32 >> 15
+}
+
+#[inline(always)]
+pub(crate) fn by_17_bits(a: u32, b: u32) -> u32 {
+    // Each is below 2^32, and so is their sum, as `b` is.
+    let (low, high) = (b & 0xffff, b >> 16);
+    (a.wrapping_mul(low) >> 16).wrapping_add(a.wrapping_mul(high)) >> 1
 }
 
 #[inline(always)]
@@ -344,4 +350,23 @@ pub(crate) fn leading_zeros(x: u32) -> u32 {
         );
     }
     zeros
+}
+
+#[inline(always)]
+pub(crate) fn rounded<const SHIFT: u32>(x: i64) -> i32 {
+    let result;
+    // SAFETY: changes the named registers alone.
+    unsafe {
+        asm!(
+            "lsls {high}, {high}, #{up}",
+            "lsrs {low}, {low}, #{down}", // the carry rounds
+            "adcs {low}, {low}, {high}",
+            low = inout(reg) x as i32 => result,
+            high = inout(reg) (x >> 32) as i32 => _,
+            down = const SHIFT,
+            up = const 32 - SHIFT,
+            options(pure, nomem, nostack),
+        );
+    }
+    result
 }

@@ -20,12 +20,12 @@ pub(crate) fn square(a: i32) -> i64 {
 
 #[inline(always)]
 pub(crate) fn upper(a: i32, b: i32) -> i32 {
-    ((signed(a, b) + (1 << 30)) >> 31) as i32
+    crate::rounded::<31>(signed(a, b))
 }
 
 #[inline(always)]
 pub(crate) fn scaled<const SHIFT: u32>(v: [i32; 3], by: i32) -> [i32; 3] {
-    v.map(|c| ((signed(c, by) + (1 << (SHIFT - 1))) >> SHIFT) as i32)
+    v.map(|c| crate::rounded::<SHIFT>(signed(c, by)))
 }
 
 #[inline(always)]
@@ -45,12 +45,23 @@ pub(crate) fn middle(a: u32, b: u32) -> u32 {
 }
 
 #[inline(always)]
-pub(crate) fn by_16_bits(a: u16, b: i32) -> i32 {
-    (signed(i32::from(a) << 1, b) >> 32) as i32
+pub(crate) fn by_16_bits(a: u32, b: i32) -> i32 {
+    (signed((a << 1) as i32, b) >> 32) as i32
+}
+
+#[inline(always)]
+pub(crate) fn by_17_bits(a: u32, b: u32) -> u32 {
+    (unsigned(a << 15, b) >> 32) as u32
 }
 
 #[inline(always)]
 pub(crate) fn square_of_21_bits(a: u32) -> u32 {
     let a = a << 11;
     (unsigned(a, a) >> 32) as u32
+}
+
+#[cfg(not(armv7m))]
+#[inline(always)]
+pub(crate) fn rounded<const SHIFT: u32>(x: i64) -> i32 {
+    (x.wrapping_add(1 << (SHIFT - 1)) >> SHIFT) as i32
 }

@@ -2,7 +2,7 @@ use long_multiply::IS_CALL;
 
 use crate::Vec3;
 use crate::num::{
-    Length, NEAR_LIMIT, Product, Scaled, Unit, leading_zeros, quotient, reciprocal, wide,
+    Length, NEAR_LIMIT, Product, Scaled, Unit, leading_zeros, quotient, reciprocal, rounded, wide,
 };
 use crate::ray::{HORIZON, NEAR, Point, Ray};
 
@@ -178,7 +178,7 @@ impl Plane {
             return v.y;
         }
         let sum = v.x.product(n.x) + v.y.product(n.y) + v.z.product(n.z);
-        ((sum + (1 << 29)) >> 30) as i32
+        rounded::<30>(sum)
     }
 
     /// The distance of a hit from a near point: exact if it is below `limit`,

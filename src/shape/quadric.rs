@@ -141,7 +141,7 @@ impl Quadric {
             return distance.exponent <= HORIZON;
         };
         distance.near().is_some_and(|distance| {
-            let rise = round_length(ray.direction.y.product(distance).to_bits(), 30);
+            let rise = round_length::<30>(ray.direction.y.product(distance).to_bits());
             let y = ray.origin.coordinates.y.saturating_add(rise);
             low <= y && y <= high
         })

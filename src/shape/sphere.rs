@@ -1,7 +1,7 @@
 use fixed::types::I8F56;
 
 use crate::Vec3;
-use crate::num::{Length, Square, Unit, inverse_length};
+use crate::num::{Length, Square, Unit, inverse_length, square_root};
 use crate::vector::round_length;
 
 use super::bound::Bound;
@@ -28,9 +28,13 @@ impl Chord {
     /// Half of the chord, one step at least.
     #[inline]
     fn half(&self) -> Length {
-        // As `square_root` does, but inlined: it is taken for each sphere in sight.
         let root = inverse_length(self.discriminant.to_bits() as u64).length();
         Length::from_bits(root as i32)
+    }
+
+    /// The same, not inlined.
+    fn half_of_few(&self) -> Length {
+        Length::from_bits(square_root(self.discriminant.to_bits().max(1) as u64) as i32)
     }
 }
 
@@ -59,7 +63,7 @@ impl Sphere {
     #[inline(always)]
     fn chord(&self, origin: Vec3<Length>, direction: Vec3<Unit>) -> Option<Chord> {
         let to_center = self.center - origin;
-        let middle = round_length(to_center.along(direction).to_bits(), 30);
+        let middle = round_length::<30>(to_center.along(direction).to_bits());
         let offset = to_center - direction.times(middle);
         let discriminant = self.radius_squared - offset.squared();
         (discriminant >= I8F56::ZERO).then_some(Chord {
@@ -129,7 +133,7 @@ impl Sphere {
     #[inline(never)]
     fn distance_from_close(&self, chord: &Chord) -> Option<Length> {
         let is_outside = self.is_outside(chord)?;
-        let half = chord.half();
+        let half = chord.half_of_few();
         let distance = chord.middle + if is_outside { -half } else { half };
         (distance > Length::ZERO).then_some(distance)
     }
@@ -139,7 +143,7 @@ impl Sphere {
     #[inline]
     pub(crate) fn across(&self, origin: Vec3<Length>, direction: Vec3<Unit>) -> Length {
         let to_center = self.center - origin;
-        round_length(to_center.along(direction).to_bits(), 29).max(Length::ZERO)
+        round_length::<29>(to_center.along(direction).to_bits()).max(Length::ZERO)
     }
 
     /// Where the line crosses the sphere ahead of `origin`; both ends in order.
@@ -152,7 +156,7 @@ impl Sphere {
         let Some((chord, is_outside)) = self.approach(origin, direction) else {
             return [None, None];
         };
-        let half = chord.half();
+        let half = chord.half_of_few();
         let entry = is_outside.then(|| chord.middle - half);
         [entry, Some(chord.middle + half)]
     }

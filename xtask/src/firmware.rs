@@ -52,12 +52,14 @@ pub(crate) const CROWD: Firmware = Firmware {
     ..headless(V7M)
 };
 
-/// Compares full products with the plain ones, where they are in assembly.
-pub const PRODUCTS: Firmware = Firmware {
-    package: "products",
-    target: V6M,
-    features: "",
-};
+/// Compares products with the plain ones, for each kind of core, as they are in assembly.
+pub(crate) const fn products(target: &'static str) -> Firmware {
+    Firmware {
+        package: "products",
+        target,
+        features: "",
+    }
+}
 
 /// Draws frames of a scene that moves, for each kind of core.
 pub const MOTION: [Firmware; 4] = [motion(V6M), motion(V7M), motion(V7EM), motion(V8M)];

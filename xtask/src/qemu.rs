@@ -119,6 +119,11 @@ impl Machine {
         }
     }
 
+    /// What compares products in assembly with the plain ones.
+    pub fn products(self) -> Firmware {
+        firmware::products(self.target)
+    }
+
     /// Draws the scene in a file that [`Arithmetic::compile`] has made.
     pub fn draw(self, elf: &Path, scene: &Path, size: &str) -> Result<Report> {
         Running::start(self.drawing(elf, scene, size))?.finish()

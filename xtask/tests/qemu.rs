@@ -10,7 +10,7 @@ use whitted::{Camera, PreparedScene, Real, Renderer, Stage};
 use whitted_sim::cost::{Model, Work};
 use whitted_sim::render;
 use whitted_sim::scene_file::{self, SceneFile};
-use xtask::firmware::{LM3S6965EVB, MOTION, PRODUCTS};
+use xtask::firmware::{LM3S6965EVB, MOTION};
 use xtask::oled::{self, Button, Oled};
 use xtask::qemu::{Arithmetic, Core, Machine};
 use xtask::report::Report;
@@ -244,9 +244,12 @@ fn a_broken_scene_is_told_on_display_and_uart() -> Result<()> {
 
 #[test]
 fn products_in_assembly_are_exact() -> Result<()> {
-    let report = Machine::of(Core::M0).run(&PRODUCTS.build(None)?)?;
-    report.result()?;
-    assert!(report.number("pairs")? > 2_000_000, "{report}");
+    for core in [Core::M0, Core::M3, Core::M4f, Core::M33] {
+        let machine = Machine::of(core);
+        let report = machine.run(&machine.products().build(None)?)?;
+        report.result()?;
+        assert!(report.number("pairs")? > 2_000_000, "{core}: {report}");
+    }
     Ok(())
 }
 

@@ -65,6 +65,9 @@ fn holds(a: u32, b: u32) -> Result<(), (u32, u32)> {
         let half = black_box(1_i64 << (shift - 1));
         ((p * i64::from(j) + half) >> shift) as i32
     };
+    let product = p * i64::from(j);
+    let rounded =
+        |shift: u32| ((product.wrapping_add(black_box(1_i64 << (shift - 1)))) >> shift) as i32;
     let half_j = black_box(i64::from(j));
     let upper = b | 1 << 31;
     let half = black_box(1_i64 << 31);
@@ -78,9 +81,17 @@ fn holds(a: u32, b: u32) -> Result<(), (u32, u32)> {
         && long_multiply::scaled::<29>(v, j) == scaled(29, j)
         && long_multiply::scaled::<30>(v, j) == scaled(30, j)
         && long_multiply::scaled::<30>(v, i) == scaled(30, i)
-        && long_multiply::by_16_bits(a as u16, j) == ((i64::from(a as u16) * half_j) >> 31) as i32
+        && long_multiply::by_16_bits(a & 0xffff, j)
+            == ((i64::from(a as u16) * half_j) >> 31) as i32
+        && long_multiply::by_17_bits((a >> 16) + 1, b)
+            == ((((q >> 16) + 1) * u64::from(b)) >> 17) as u32
         && long_multiply::upper(i, j) == scaled_one(31)
         && long_multiply::reduced(v, upper) == reduced
+        && long_multiply::rounded::<1>(product) == rounded(1)
+        && long_multiply::rounded::<28>(product) == rounded(28)
+        && long_multiply::rounded::<29>(product) == rounded(29)
+        && long_multiply::rounded::<30>(product) == rounded(30)
+        && long_multiply::rounded::<31>(product) == rounded(31)
         && long_multiply::leading_zeros(a) == black_box(a).leading_zeros();
     right.then_some(()).ok_or((a, b))
 }

@@ -20,7 +20,7 @@ pub(crate) struct Cone {
 impl Cone {
     /// Its largest radius so far from its center along y, if it is near.
     pub(super) fn widest(&self, height: Length) -> Option<Length> {
-        let growth = round_length(height.product(self.axial.abs()).to_bits(), 30);
+        let growth = round_length::<30>(height.product(self.axial.abs()).to_bits());
         let squeezed = self.radius.abs() + growth;
         quotient(
             squeezed.to_bits().max(1) as u64,

@@ -25,7 +25,7 @@ impl Cylinder {
         let radius_squared = self.radius.square().to_bits() >> (2 * shift);
         let reach = upper_product(radius_squared as u64, a as u64, 4) as i64;
         let cross = o.x.product(d.z) - o.z.product(d.x);
-        let cross = round_length(cross.to_bits(), 30);
+        let cross = round_length::<30>(cross.to_bits());
         Quadratic {
             a,
             b: (o.x.product(d.x) + o.z.product(d.z)).to_bits(),

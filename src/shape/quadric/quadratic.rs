@@ -1,6 +1,6 @@
 use crate::Vec3;
 use crate::num::rare::inverse_length;
-use crate::num::{Length, Product, Scaled, Unit, quotient, wide};
+use crate::num::{Length, Product, Scaled, Unit, quotient, rounded, wide};
 
 /// `a t² + 2 b t + c = 0`, the equation of a ray and a quadric.
 ///
@@ -69,9 +69,7 @@ pub(super) fn moment(o: Vec3<Length>, d: Vec3<Unit>) -> Vec3<Length> {
 /// A vector of any steps, each component times a factor: not inlined, as is `moment`.
 #[inline(never)]
 pub(super) fn squeezed(v: Vec3<i32>, factors: Vec3<Unit>) -> Vec3<i32> {
-    v.zip(factors, |c, k| {
-        ((c.product(k.to_bits()) + (1 << 29)) >> 30) as i32
-    })
+    v.zip(factors, |c, k| rounded::<30>(c.product(k.to_bits())))
 }
 
 /// The square root of Q56, as Q58.

@@ -54,7 +54,7 @@ pub(crate) struct Sphereflake {
     pub(super) ratio: U0F32,
     /// `1 / (ratio * 2^shift)`: 1 to 2.
     pub(super) inverse_ratio: Unit,
-    pub(super) shift: u32,
+    pub(super) shift: u8,
     /// From a sphere's center to a child's, in radii: 1.1 to 1.5.
     pub(super) step: Unit,
     /// From a child's center to its parent's in radii of the child, divided by
@@ -77,7 +77,7 @@ impl Sphereflake {
             depth,
         } = parts;
         let [u, v] = frame;
-        let w = u.cross(v).map(|c| round_unit(c, 30));
+        let w = u.cross(v).map(round_unit::<30>);
         let inverse_ratio = inverse(ratio);
         // Q30 -> Q29
         let one = (1_i32 << 29).unbounded_shr(ratio.leading_zeros());
@@ -91,7 +91,7 @@ impl Sphereflake {
             inverse_radius: inverse(radius),
             ratio,
             inverse_ratio,
-            shift: ratio.leading_zeros(),
+            shift: ratio.leading_zeros() as u8,
             back: Radii::from_bits(-back),
             step,
             steps: Steps::new(step),
@@ -128,6 +128,12 @@ impl Sphereflake {
         let ratio = u64::from(ratio.to_bits());
         let bound = (0..depth).fold(1 << 28, |bound, _| bound_around(bound, ratio));
         Radii::from_bits((bound as i32 + 1) << 1)
+    }
+
+    /// [`Self::step`] in 16 bits.
+    #[inline(always)]
+    pub(super) fn coarse_step(&self) -> U1F15 {
+        U1F15::from_bits(((self.step.to_bits() + (1 << 14)) >> 15) as u16)
     }
 
     /// A vector of the scene in the frame of the largest sphere.
@@ -174,10 +180,9 @@ fn bound_around(child: u64, ratio: u64) -> u64 {
     (1 << 28) + (ratio >> 4) + ((ratio * child) >> 32) + 2
 }
 
-/// The terms of directions to children, `1 + ratio` long.
+/// The terms of directions to children, `1 + ratio` long, but for that length itself.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Steps {
-    pub(super) along: U1F15,
     aside: U1F15,
     elevation: U1F15,
 }
@@ -188,7 +193,6 @@ impl Steps {
         let part =
             |k: Unit| U1F15::from_bits(((step.product(k).to_bits() + (1 << 44)) >> 45) as u16);
         Self {
-            along: part(Unit::ONE),
             aside: part(ASIDE),
             elevation: part(ELEVATION),
         }
@@ -197,9 +201,9 @@ impl Steps {
     /// The dot products of a vector of 16 bits with the first six directions,
     /// of which the others are the opposites: Q15, shifted right.
     #[inline(always)]
-    pub(super) fn dots(&self, v: Vec3<i32>, shift: u32) -> [i32; 6] {
+    pub(super) fn dots(&self, step: U1F15, v: Vec3<i32>, shift: u32) -> [i32; 6] {
         let part = |c: i32, k: U1F15| (c * i32::from(k.to_bits())) >> shift;
-        let x = part(v.x, self.along);
+        let x = part(v.x, step);
         let half = x >> 1;
         let aside = part(v.y, self.aside);
         let equator = 3 * aside;

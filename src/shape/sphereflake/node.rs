@@ -1,7 +1,7 @@
 use fixed::types::I1F31;
 
 use crate::Vec3;
-use crate::num::{Product, Square, Unit, square_root, wide};
+use crate::num::{Product, Square, Unit, rounded, square_root, wide};
 use crate::ray::Ray;
 use crate::vector::{high, round_unit};
 
@@ -11,8 +11,8 @@ use super::word::{upper_product, upper_shifted};
 
 /// Q59 -> Q29
 #[inline(always)]
-fn rounded(bits: i64) -> Radii {
-    Radii::from_bits(((bits + (1 << 29)) >> 30) as i32)
+fn round_radii(bits: i64) -> Radii {
+    Radii::from_bits(rounded::<30>(bits))
 }
 
 /// A ray as a sphere of the flake sees it: in the sphere's frame and its radii.
@@ -38,7 +38,7 @@ impl Node {
         let offset = ray.origin.coordinates - flake.center;
         // What is rounded away moves the foot along the ray, and is made good
         // where a sphere is met: Q28 * Q30 -> Q58 -> Q28.
-        let distance = -(((offset.along(d).to_bits() + (1 << 29)) >> 30) as i32);
+        let distance = -rounded::<30>(offset.along(d).to_bits());
         let radius = I1F31::from_bits((flake.radius.to_bits() >> 1) as i32);
         // Q29 * Q31 -> Q60 -> Q28
         let bound = upper_product(flake.bound.to_bits(), radius.to_bits()) + 1;
@@ -65,12 +65,12 @@ impl Node {
         let half = i64::from(1_u32 << (28_u32.wrapping_sub(shift) & 31));
         let foot = foot.map(|c| {
             let c = upper_shifted(c + half, shift + 3);
-            rounded(c.product(flake.inverse_radius.to_bits()))
+            round_radii(c.product(flake.inverse_radius.to_bits()))
         });
         let node = Self {
             foot: flake.inward(foot, |v, axis| {
                 let Vec3 { x, y, z } = v.zip(axis, Radii::product);
-                rounded((x + y + z).to_bits())
+                round_radii((x + y + z).to_bits())
             }),
             direction: flake.inward(d, Vec3::cosine),
             distance: i64::from(distance) << 32,
@@ -123,10 +123,7 @@ impl Node {
     pub(super) fn normal(&self, past_foot: Radii) -> Vec3<Unit> {
         // Q29 -> Q59; Q29 * Q30 -> Q59; rounded to Q30.
         self.foot.zip(self.direction, |l, d| {
-            round_unit(
-                (i64::from(l.to_bits()) << 30) + past_foot.product(d).to_bits(),
-                29,
-            )
+            round_unit::<29>((i64::from(l.to_bits()) << 30) + past_foot.product(d).to_bits())
         })
     }
 
@@ -151,7 +148,7 @@ impl Node {
         // of two -> Q29
         let inverse = flake.inverse_ratio;
         let on = Radii::from_bits((farther.product(inverse).to_bits() >> 30) as i32);
-        let shift = flake.shift;
+        let shift = u32::from(flake.shift);
         let foot = self.foot.map(|l| l.product(inverse));
         let foot = foot.zip(axis(child), |l, a| l + flake.back.product(a));
         let foot = foot.zip(self.direction, |l, d| {

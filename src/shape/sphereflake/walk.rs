@@ -153,17 +153,17 @@ fn reach_of_child(parent: &Node, flake: &Sphereflake) -> i32 {
 /// opposites, and the dot products share their terms.
 #[inline(always)]
 fn find(node: &Node, flake: &Sphereflake, squared: i32, candidates: &mut Candidates) {
-    let steps = &flake.steps;
+    let (steps, step) = (&flake.steps, flake.coarse_step());
     // Q15 -> Q30 -> Q27
     let square = |c: u32| ((c * c) >> 3) as i32;
     // Q26 -> Q27
-    let squares = (squared << 1) + square(steps.along.to_bits().into());
+    let squares = (squared << 1) + square(step.to_bits().into());
     let bound = (node.child_bound(flake).to_bits() >> 14) as u32 + 1;
     let least = squares - square(bound) - SQUARE_MARGIN;
     let sure = squares - square(flake.ratio.to_bits() >> 17) + SQUARE_MARGIN;
     // Q30 -> Q14 -> Q29 -> Q14; Q29 -> Q13 -> Q28, and so twice of it in Q27.
-    let farther = steps.dots(node.direction.map(|c| c.to_bits() >> 16), 15);
-    let nearer = steps.dots(node.foot.map(|c| c.to_bits() >> 16), 0);
+    let farther = steps.dots(step, node.direction.map(|c| c.to_bits() >> 16), 15);
+    let nearer = steps.dots(step, node.foot.map(|c| c.to_bits() >> 16), 0);
     for ((pair, farther), nearer) in (1..).zip(farther).zip(nearer) {
         // Q14 -> Q28 -> Q27
         let square = (farther * farther) >> 1;
