@@ -19,8 +19,10 @@ pub(crate) use quadric::{Cone, Cylinder, Ellipsoid, Form, Paraboloid, Quadric};
 pub(crate) use sphere::Sphere;
 pub(crate) use sphereflake::{MAX_DEPTH as MAX_FLAKE_DEPTH, Parts, Path, Sphereflake};
 
-/// What a shape can be.
+/// What a shape can be. A tag of its own is told faster than one that is kept in a variant,
+/// and takes no more memory.
 #[derive(Clone, Copy, Debug)]
+#[repr(u8)]
 pub(crate) enum Shape {
     Sphere(Sphere),
     Plane(Plane),
