@@ -8,7 +8,7 @@ use crate::Vec3;
 use crate::num::{Length, NEAR_LIMIT, Scaled, Unit};
 use crate::observer::{Observer, ShapeKind};
 use crate::prepared::{Object, PreparedScene};
-use crate::ray::{Nature, Point, Ray, Start};
+use crate::ray::{Nature, Point, Ray, Start, are_near};
 use crate::shape::{Path, Quadric, Shape, Sphereflake, coarse, narrow};
 
 /// The nearest surface of a ray.
@@ -22,16 +22,23 @@ pub(crate) struct Hit {
 }
 
 impl Hit {
-    /// The point of the surface.
+    /// Moves a ray on to the point of the surface.
     #[inline(always)]
-    pub(crate) fn point(self, object: &Object, ray: &Ray) -> Point {
+    pub(crate) fn reach(self, object: &Object, ray: &mut Ray) {
         if self.distance == Length::MAX || !ray.origin.is_near() {
-            return self.far_point(object, ray);
+            ray.origin = self.far_point(object, ray);
+            return;
         }
-        match &object.shape {
-            Shape::Sphere(_) => Point::near(ray.near_at(self.distance)),
-            Shape::Plane(plane) if plane.is_near() => Point::near(ray.near_at(self.distance)),
-            _ => ray.at(self.distance),
+        let is_near = match &object.shape {
+            Shape::Sphere(_) => true,
+            Shape::Plane(plane) => plane.is_near(),
+            _ => false,
+        };
+        let coordinates = ray.near_at(self.distance);
+        if is_near || are_near(coordinates) {
+            ray.origin.coordinates = coordinates;
+        } else {
+            ray.origin = ray.far_at(Scaled::unordered(self.distance));
         }
     }
 

@@ -67,12 +67,12 @@ impl<'s> Surface<'s> {
     pub(crate) fn meet(&mut self, scene: &PreparedScene<'s>, hit: Hit, part: &Part) {
         let object = scene.object(hit.object);
         let ray = &mut self.ray;
-        let point = hit.point(object, ray);
+        hit.reach(object, ray);
         let mut path = 0;
         let normal = match &object.shape {
-            Shape::Sphere(sphere) => sphere.normal(point.coordinates),
+            Shape::Sphere(sphere) => sphere.normal(ray.origin.coordinates),
             Shape::Plane(plane) => plane.normal,
-            Shape::Quadric(quadric) => quadric.normal(point),
+            Shape::Quadric(quadric) => quadric.normal(ray.origin),
             Shape::Sphereflake(_) => {
                 path = part.path;
                 part.normal
@@ -84,11 +84,10 @@ impl<'s> Surface<'s> {
             ray.direction.cosine(normal)
         };
         let inward = cosine > Unit::ZERO;
-        ray.origin = point;
         ray.start = Start::new(hit.object, path, inward, object.nature);
         self.normal = if inward { -normal } else { normal };
         self.cosine = cosine.abs();
-        self.material = scene.material(object.texture.material(point));
+        self.material = scene.material(object.texture.material(ray.origin));
     }
 
     /// The object's number.
@@ -117,7 +116,7 @@ impl<'s> Surface<'s> {
     /// Makes the direction of a ray a unit vector that has met the surface without being one.
     #[inline(never)]
     pub(crate) fn look_closely(&mut self) {
-        self.make_unit();
+        self.ray.direction = self.ray.direction.unit_of_few();
         self.cosine = self.ray.direction.cosine(self.normal).abs();
     }
 
@@ -272,6 +271,18 @@ impl<'s> Surface<'s> {
         Factor::from_bits(((highlight + (1 << 15)) >> 16) as u16)
     }
 
+    /// Whether it lets no light through.
+    #[inline]
+    pub(crate) fn is_opaque(&self) -> bool {
+        self.material.kt.is_black()
+    }
+
+    /// How much of it is mirrored where nothing goes through.
+    #[inline]
+    pub(crate) fn mirrored(&self) -> Color<Weight> {
+        self.material.kr
+    }
+
     /// What goes on from here.
     #[inline]
     pub(crate) fn shares(&self) -> Shares {
@@ -280,9 +291,6 @@ impl<'s> Surface<'s> {
             mirrored: kr,
             transmitted: None,
         };
-        if kt.is_black() {
-            return shares;
-        }
         let direction = if self.ray.start.nature.is(Nature::OPEN) {
             Some(self.ray.direction)
         } else {
@@ -307,7 +315,7 @@ impl<'s> Surface<'s> {
     }
 
     /// Sends the ray on, mirrored.
-    #[inline]
+    #[inline(never)]
     pub(crate) fn reflect(&mut self) {
         self.ray.direction = optics::mirrored(self.ray.direction, self.normal, self.cosine);
     }
@@ -331,10 +339,10 @@ pub(crate) struct Shares {
     pub(crate) transmitted: Option<(Color<Weight>, Vec3<Unit>)>,
 }
 
-/// A cosine of 0 to 1, rounded.
+/// A cosine of 0 to 1, rounded; what it may be above 1 is too little to be seen here.
 #[inline(always)]
 fn intensity(cosine: Unit) -> Intensity {
-    Intensity::from_bits((((cosine.to_bits() + (1 << 13)) >> 14) as u32).min(1 << 16))
+    Intensity::from_bits(((cosine.to_bits() + (1 << 13)) >> 14) as u32)
 }
 
 #[cfg(test)]

@@ -104,12 +104,7 @@ fn look(
     part: &mut Part,
     observer: &mut impl Observer,
 ) -> Color<Radiance> {
-    let mut walk = Walk {
-        surface: Surface::ahead_of(ray),
-        kin: Kin::EYE,
-        radiance: Color::<Radiance>::BLACK,
-    };
-    let surface = &mut walk.surface;
+    let surface = &mut Surface::ahead_of(ray);
     if !candidates.are_flat {
         surface.make_unit();
     }
@@ -124,18 +119,24 @@ fn look(
     if candidates.are_flat && !surface.is_matte() {
         surface.look_closely();
     }
-    surface.local(scene, &mut walk.radiance, observer);
-    tell(observer, scene, Some(surface), walk.kin, walk.radiance);
+    let mut radiance = Color::<Radiance>::BLACK;
+    surface.local(scene, &mut radiance, observer);
+    tell(observer, scene, Some(surface), Kin::EYE, radiance);
     if surface.branches() && scene.settings.max_depth > 0 {
+        let mut walk = Walk {
+            surface,
+            kin: Kin::EYE,
+            radiance: &mut radiance,
+        };
         if scene.settings.is_opaque {
-            walk.climb(scene, &mut Vec::<Branch, 0>::new(), part, observer);
+            walk.climb_among_mirrors(scene, part, observer);
         } else if usize::from(scene.settings.max_depth) <= FEW {
             walk.climb_through_glass::<FEW>(scene, part, observer);
         } else {
             walk.climb_through_glass::<{ MAX_DEPTH as usize }>(scene, part, observer);
         }
     }
-    walk.radiance
+    radiance
 }
 
 /// The same for a ray that hits nothing.
@@ -147,7 +148,7 @@ fn missed(
     observer: &mut impl Observer,
 ) -> Color<Radiance> {
     let height = if candidates.are_flat && scene.settings.is_gradient {
-        height(direction)
+        direction.unit_of_few().y
     } else {
         direction.y
     };
@@ -156,20 +157,14 @@ fn missed(
     radiance
 }
 
-/// That of a direction that is no unit vector.
-#[inline(never)]
-fn height(direction: Vec3<Unit>) -> Unit {
-    direction.unit().y
-}
-
 /// A walk through the tree of rays: where it is, and what it found.
-struct Walk<'s> {
-    surface: Surface<'s>,
+struct Walk<'w, 's> {
+    surface: &'w mut Surface<'s>,
     kin: Kin,
-    radiance: Color<Radiance>,
+    radiance: &'w mut Color<Radiance>,
 }
 
-impl<'s> Walk<'s> {
+impl<'s> Walk<'_, 's> {
     /// Adds what all the rays bring back that go on from where the eye ray hit.
     #[inline(never)]
     fn climb(
@@ -203,6 +198,21 @@ impl<'s> Walk<'s> {
         self.climb(scene, &mut Vec::<Branch, ROOM>::new(), part, observer);
     }
 
+    /// The same where nothing lets light through: one ray follows another.
+    #[inline(always)]
+    fn climb_among_mirrors(
+        &mut self,
+        scene: &PreparedScene<'s>,
+        part: &mut Part,
+        observer: &mut impl Observer,
+    ) {
+        let waiting = &mut Vec::<Branch, 0>::new();
+        let mut goes_on = self.mirror(&scene.settings);
+        while goes_on {
+            goes_on = self.visit(scene, waiting, part, observer);
+        }
+    }
+
     /// Traces a ray, adds what it brings back, and sends the one on its way that
     /// follows; false if none does.
     #[inline(never)]
@@ -222,7 +232,7 @@ impl<'s> Walk<'s> {
         let Some(hit) = intersect::nearest(scene, surface.ray(), part, observer) else {
             let background = background(&scene.settings, surface.ray().direction.y);
             tell(observer, scene, None, *kin, background);
-            *radiance = radiance.plus(kin.weight.weigh(background));
+            **radiance = radiance.plus(kin.weight.weigh(background));
             return false;
         };
         surface.meet(scene, hit, part);
@@ -231,7 +241,7 @@ impl<'s> Walk<'s> {
         tell(observer, scene, Some(surface), *kin, local);
         // Most of what is glass is.
         if local != Color::<Radiance>::BLACK {
-            *radiance = radiance.plus(kin.weight.weigh(local));
+            **radiance = radiance.plus(kin.weight.weigh(local));
         }
         surface.branches()
             && kin.generation < scene.settings.max_depth
@@ -242,6 +252,27 @@ impl<'s> Walk<'s> {
     /// follows; false if nothing does.
     #[inline(always)]
     fn follow(&mut self, settings: &Settings, waiting: &mut VecView<Branch>) -> bool {
+        if self.surface.is_opaque() {
+            return self.mirror(settings);
+        }
+        self.part_ways(settings, waiting)
+    }
+
+    /// The same where nothing is put off.
+    #[inline(always)]
+    fn mirror(&mut self, settings: &Settings) -> bool {
+        let share = self.surface.mirrored();
+        let Some(kin) = self.kin.child(share, RayKind::Reflected, settings) else {
+            return false;
+        };
+        self.surface.reflect();
+        self.kin = kin;
+        true
+    }
+
+    /// The same where light goes through.
+    #[inline(never)]
+    fn part_ways(&mut self, settings: &Settings, waiting: &mut VecView<Branch>) -> bool {
         let Self { surface, kin, .. } = self;
         let Shares {
             mirrored,
