@@ -4,6 +4,7 @@
 mod budget;
 mod count;
 mod document;
+mod flash;
 mod growth;
 mod section;
 mod subject;
@@ -16,8 +17,8 @@ use anyhow::{Context, Result, ensure};
 
 use crate::command::command;
 use crate::qemu::{Arithmetic, Core, Machine};
-use crate::symbols::Symbols;
 use count::count;
+use flash::Code;
 use subject::{SUBJECTS, Subject};
 
 pub use budget::{bless, check};
@@ -38,16 +39,16 @@ pub fn run(scene: Option<&str>, core: Option<Core>, json: Option<&Path>) -> Resu
     let cores = core.map_or_else(|| Core::ALL.to_vec(), |core| vec![core]);
 
     let rows = count(&subjects, &cores, &[Arithmetic::Fixed, Arithmetic::Float])?;
-    let mut renderer = BTreeMap::new();
+    let mut code = BTreeMap::new();
     for core in cores {
         let elf = Machine::of(core).firmware(Arithmetic::Fixed).build(None)?;
-        renderer.insert(core, Symbols::load(&elf)?.library_size()?);
+        code.insert(core, Code::of(&elf)?);
     }
     if let Some(file) = json {
         fs::write(file, serde_json::to_string_pretty(&rows)? + "\n")
             .with_context(|| file.display().to_string())?;
     }
-    let document = document::write(&rows, &renderer, &toolchain()?);
+    let document = document::write(&rows, &code, &toolchain()?);
     print!("{document}");
     if scene.is_none() && core.is_none() {
         section::replace("frames", &document)?;

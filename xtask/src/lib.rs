@@ -19,6 +19,7 @@ pub mod soak;
 pub mod test;
 pub mod tidy;
 
+mod calls;
 mod command;
 mod qmp;
 mod steps;

@@ -1,5 +1,6 @@
 //! Which source a firmware's instructions come from.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
@@ -8,13 +9,14 @@ use anyhow::{Result, anyhow};
 use object::read::elf::ElfFile32;
 use object::{Object, ObjectSection, ObjectSymbol, SectionKind, SymbolKind};
 
+use crate::calls::branches;
 use crate::root;
 
 /// The debug information of an ELF file.
 pub(crate) struct Symbols {
     loader: Loader,
-    /// Sections with code: address and size.
-    code: Vec<(u64, u64)>,
+    /// Sections with code: address and bytes.
+    code: Vec<(u64, Vec<u8>)>,
     /// Where functions start, in order, and their names.
     functions: Vec<(u64, String)>,
 }
@@ -42,8 +44,8 @@ impl Symbols {
         let code = file
             .sections()
             .filter(|section| section.kind() == SectionKind::Text)
-            .map(|section| (section.address(), section.size()))
-            .collect();
+            .map(|section| Ok((section.address(), section.data()?.to_vec())))
+            .collect::<Result<_>>()?;
         let mut functions: Vec<_> = file
             .symbols()
             .filter(|symbol| symbol.kind() == SymbolKind::Text && symbol.size() > 0)
@@ -91,11 +93,7 @@ impl Symbols {
 
     /// The function of the symbol table that an address lies in.
     pub(crate) fn symbol(&self, address: u64) -> &str {
-        let next = self
-            .functions
-            .partition_point(|(start, _)| *start <= address);
-        let function = next.checked_sub(1).and_then(|at| self.functions.get(at));
-        function.map_or("?", |(_, name)| name)
+        self.function(address).map_or("?", |(_, name)| name)
     }
 
     /// Where a function of the symbol table starts.
@@ -104,18 +102,57 @@ impl Symbols {
         functions.find_map(|(start, name)| (name == function).then_some(*start))
     }
 
-    /// Bytes of code that come of a line of the library, inlined or not.
-    pub(crate) fn library_size(&self) -> Result<u64> {
+    /// Bytes of code that come of a line of the library, inlined or not, by the functions
+    /// of the symbol table that they are in.
+    pub(crate) fn library_sizes(&self) -> Result<BTreeMap<u64, u64>> {
         /// The shortest instruction.
         const STEP: u64 = 2;
-        let mut size = 0;
-        for (start, length) in &self.code {
-            for address in (*start..start + length).step_by(STEP as usize) {
+        let mut sizes = BTreeMap::new();
+        for (start, bytes) in &self.code {
+            let end = start + bytes.len() as u64;
+            for address in (*start..end).step_by(STEP as usize) {
                 if self.frames(address)?.iter().any(Frame::is_library) {
-                    size += STEP;
+                    *sizes.entry(self.start_of(address)).or_default() += STEP;
                 }
             }
         }
-        Ok(size)
+        Ok(sizes)
+    }
+
+    /// Where the functions start that are called from some, those included.
+    pub(crate) fn called_from(&self, roots: &[&str]) -> BTreeSet<u64> {
+        let mut calls = BTreeMap::<u64, Vec<u64>>::new();
+        for (start, bytes) in &self.code {
+            for (from, to) in branches(bytes, *start) {
+                if self.start_of(to) == to {
+                    calls.entry(self.start_of(from)).or_default().push(to);
+                }
+            }
+        }
+        let is_root = |name: &str| roots.iter().any(|root| name.contains(root));
+        let mut waiting: Vec<_> = self
+            .functions
+            .iter()
+            .filter_map(|(start, name)| is_root(name).then_some(*start))
+            .collect();
+        let mut found = BTreeSet::new();
+        while let Some(function) = waiting.pop() {
+            if found.insert(function) {
+                waiting.extend(calls.get(&function).into_iter().flatten());
+            }
+        }
+        found
+    }
+
+    /// Where the function of the symbol table starts that an address lies in.
+    fn start_of(&self, address: u64) -> u64 {
+        self.function(address).map_or(0, |(start, _)| *start)
+    }
+
+    fn function(&self, address: u64) -> Option<&(u64, String)> {
+        let next = self
+            .functions
+            .partition_point(|(start, _)| *start <= address);
+        self.functions.get(next.checked_sub(1)?)
     }
 }

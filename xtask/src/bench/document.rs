@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use super::count::Row;
+use super::flash::Code;
 use crate::qemu::Core;
 
 /// What the usual ray tracer for microcontrollers takes for the four spheres
@@ -42,14 +43,14 @@ Not arithmetic alone: *float* skips each subtree that a ray misses, but does not
 ";
 
 /// The document.
-pub(crate) fn write(rows: &[Row], renderer: &BTreeMap<Core, u64>, toolchain: &str) -> String {
+pub(crate) fn write(rows: &[Row], code: &BTreeMap<Core, Code>, toolchain: &str) -> String {
     let mut text = INTRODUCTION.replace("TOOLCHAIN", toolchain);
     let is_same = |a: &Row, b: &Row| (a.scene, &a.size) == (b.scene, &b.size);
     for group in rows.chunk_by(is_same) {
         // Writing to a string cannot fail.
         _ = table(&mut text, group);
     }
-    _ = sizes(&mut text, rows, renderer);
+    _ = sizes(&mut text, rows, code);
     text
 }
 
@@ -105,23 +106,25 @@ fn float(row: &Row) -> (u64, &'static str) {
     }
 }
 
-fn sizes(text: &mut String, rows: &[Row], renderer: &BTreeMap<Core, u64>) -> std::fmt::Result {
+fn sizes(text: &mut String, rows: &[Row], code: &BTreeMap<Core, Code>) -> std::fmt::Result {
     writeln!(
         text,
         "\n## Flash and RAM\n\n\
          In bytes. The library's code is all machine code that comes of a line of `src`, the number\n\
-         formats inlined there included, constants not; the firmware has semihosting, formatted\n\
-         output and error texts besides. The RAM is room for 64 objects, 8 lights and 64 materials, and the\n\
+         formats inlined there included, constants not: what draws, all features included, and what only\n\
+         reading compiled scenes calls, with its checks and error texts. The firmware has semihosting and\n\
+         formatted output besides. The RAM is room for 64 objects, 8 lights and 64 materials, and the\n\
          renderer's 0.7 KB, which are static, so that the stack holds calls alone.\n\n\
-         | core | the library's code | firmware | RAM |\n|---|--:|--:|--:|"
+         | core | the library draws | and reads scenes | firmware | RAM |\n|---|--:|--:|--:|--:|"
     )?;
-    for (core, size) in renderer {
+    for (core, code) in code {
         if let Some(row) = rows.iter().find(|row| row.core == *core) {
             writeln!(
                 text,
-                "| {} | {} | {} | {} |",
+                "| {} | {} | {} | {} | {} |",
                 core.title(),
-                thousands(*size),
+                thousands(code.drawing),
+                thousands(code.reading),
                 thousands(row.flash),
                 thousands(row.ram),
             )?;
