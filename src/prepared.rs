@@ -162,6 +162,18 @@ pub(crate) struct Light {
     pub(crate) in_view: Nature,
 }
 
+impl Light {
+    /// What is left of it behind a filter.
+    #[inline(never)]
+    pub(crate) fn filtered(&self, filter: Color<Factor>) -> Self {
+        Self {
+            diffuse: self.diffuse.filtered(filter),
+            specular: self.specular.filtered(filter),
+            ..*self
+        }
+    }
+}
+
 /// What a surface does to light.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Material {
@@ -274,7 +286,7 @@ impl<'b> PreparedScene<'b> {
     /// What an object lets through at a point of its surface.
     #[inline(never)]
     pub(crate) fn transmitted(&self, object: &Object, point: Point) -> Color<Factor> {
-        self.material(object.texture.material(point)).kt.narrowed()
+        self.material(object.texture.material(&point)).kt.narrowed()
     }
 }
 

@@ -87,7 +87,7 @@ impl<'s> Surface<'s> {
         ray.start = Start::new(hit.object, path, inward, object.nature);
         self.normal = if inward { -normal } else { normal };
         self.cosine = cosine.abs();
-        self.material = scene.material(object.texture.material(ray.origin));
+        self.material = scene.material(object.texture.material(&ray.origin));
     }
 
     /// The object's number.
@@ -232,13 +232,17 @@ impl<'s> Surface<'s> {
         if !is_lit {
             return;
         }
-        let (mut diffuse, mut specular) = (light.diffuse, light.specular);
-        if let Some(left) = left {
-            (diffuse, specular) = (diffuse.filtered(left), specular.filtered(left));
-        }
-        *sum = sum.plus(material.kd.reflect(intensity(cosine), diffuse));
+        let filtered;
+        let light = match left {
+            None => light,
+            Some(left) => {
+                filtered = light.filtered(left);
+                &filtered
+            }
+        };
+        *sum = sum.plus(material.kd.reflect(intensity(cosine), light.diffuse));
         if highlight != Factor::ZERO {
-            *sum = sum.plus(material.ks.reflect(highlight.into(), specular));
+            *sum = sum.plus(material.ks.reflect(highlight.into(), light.specular));
         }
     }
 

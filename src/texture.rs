@@ -33,7 +33,7 @@ impl Default for Texture {
 
 impl Texture {
     #[inline]
-    pub(crate) fn material(&self, point: Point) -> u16 {
+    pub(crate) fn material(&self, point: &Point) -> u16 {
         match self {
             Self::Uniform(material) => *material,
             Self::Checker(checker) => checker.material(point),
@@ -43,7 +43,7 @@ impl Texture {
 
 impl Checker {
     #[inline(never)]
-    fn material(&self, point: Point) -> u16 {
+    fn material(&self, point: &Point) -> u16 {
         let parity = self.position(0, point) ^ self.position(1, point);
         self.materials[(parity >> 31) as usize]
     }
@@ -53,7 +53,7 @@ impl Checker {
     /// All but the position in the pair wraps away, so a far point is as
     /// right as a near one.
     #[inline(always)]
-    fn position(&self, axis: usize, point: Point) -> u32 {
+    fn position(&self, axis: usize, point: &Point) -> u32 {
         let p = point.coordinates;
         let coordinate: Length = match self.axes[axis & 1] {
             Axis::X => p.x,
