@@ -1,5 +1,7 @@
+use std::collections::BTreeMap;
+
 use embedded_graphics_core::geometry::Size;
-use whitted::{Node, Observer, PreparedScene, RayKind, Renderer, ShapeKind, Stats};
+use whitted::{Color, Node, Observer, PreparedScene, RayKind, Renderer, ShapeKind, Stats};
 
 use crate::render;
 
@@ -32,6 +34,7 @@ items! {
     Transmitted: "transmitted_ray", "of these, a transmitted one: its refraction";
     Shadow: "shadow_ray", "a shadow ray";
     Background: "background", "a ray that meets nothing";
+    Light: "light", "a light, at a surface that reflects it";
     Highlight: "highlight", "a highlight";
     SphereTest: "sphere_test", "a test of a sphere";
     PlaneTest: "plane_test", "a test of a plane";
@@ -55,8 +58,21 @@ pub struct Work {
     /// Rays and tests, as people like to see them.
     pub stats: Stats,
     amounts: [u64; ITEMS.len()],
+    /// How many lights there are.
+    lights: u64,
+    /// The materials that rays meet, by their numbers.
+    met: BTreeMap<u16, Met>,
     /// The ray that is under way.
     ray: Option<RayKind>,
+}
+
+/// A material, as far as rays meet it.
+#[derive(Clone, Copy, Debug, Default)]
+struct Met {
+    /// How often something is seen of it there: more than black.
+    visible: u64,
+    /// Whether it reflects light: a shadow ray was sent from some of it.
+    is_lit: bool,
 }
 
 impl Work {
@@ -75,12 +91,16 @@ impl Work {
     pub fn new(scene: &PreparedScene<'_>) -> Self {
         let mut work = Self::default();
         work.amounts[Place::Byte as usize] = scene.encoded_len() as u64;
+        [_, work.lights, _] = scene.counts().map(|count| count as u64);
         work
     }
 
     /// How much of each item, in the order of [`ITEMS`].
     pub fn amounts(&self) -> [u64; ITEMS.len()] {
-        self.amounts
+        let lit = self.met.values().filter(|met| met.is_lit);
+        let mut amounts = self.amounts;
+        amounts[Place::Light as usize] = self.lights * lit.map(|met| met.visible).sum::<u64>();
+        amounts
     }
 
     fn count(&mut self, place: Place) {
@@ -142,8 +162,12 @@ impl Observer for Work {
     }
 
     fn node(&mut self, node: &Node) {
-        if node.object.is_none() {
+        let Some(material) = node.material else {
             self.count(Place::Background);
-        }
+            return;
+        };
+        let met = self.met.entry(material).or_default();
+        met.visible += u64::from(node.local != Color::default());
+        met.is_lit |= self.ray == Some(RayKind::Shadow);
     }
 }
