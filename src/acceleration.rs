@@ -4,6 +4,8 @@
 //! objects by: what tells so is computed once. (What the eye sees is found line
 //! by line, so that the camera may move.)
 
+use core::mem;
+
 use heapless::VecView;
 
 use crate::Vec3;
@@ -13,9 +15,16 @@ use crate::ray::{Nature, Point};
 use crate::shape::{Around, Bound, Shape, Sight};
 use crate::texture::Texture;
 
+/// How many objects that are near each other share a bound.
+pub(crate) const GROUP: usize = 8;
+
+/// No more objects than these are looked at one by one.
+const FEW: usize = 2 * GROUP;
+
 /// The lists that tell where to look for objects, each as long as theirs.
 pub(crate) struct Index<'b> {
     pub(crate) finite: &'b mut VecView<Around>,
+    pub(crate) groups: &'b mut VecView<Around>,
     pub(crate) endless: &'b mut VecView<u16>,
 }
 
@@ -32,6 +41,34 @@ impl Index<'_> {
             };
             let _ = self.finite.push(bound.around(number));
         }
+        self.groups.clear();
+        if self.finite.len() > FEW {
+            gather(self.finite);
+            for group in self.finite.chunks(GROUP) {
+                let _ = self.groups.push(Around::all(group));
+            }
+        }
+    }
+}
+
+/// Brings neighbors together: after the first of each group, what is nearest to that.
+fn gather(mut objects: &mut [Around]) {
+    let Some(mut first) = objects.first().copied() else {
+        return;
+    };
+    for number in 0.. {
+        let Some((next, rest)) = mem::take(&mut objects).split_first_mut() else {
+            return;
+        };
+        if number % GROUP == 0 {
+            first = *next;
+        }
+        for other in rest.iter_mut() {
+            if first.squared_to(other) < first.squared_to(next) {
+                mem::swap(next, other);
+            }
+        }
+        objects = rest;
     }
 }
 
@@ -180,6 +217,7 @@ fn may_part(endless: &Shape, point: Vec3<Length>, bound: &Bound) -> bool {
 #[cfg(test)]
 mod tests {
     use fastrand::Rng;
+    use heapless::Vec;
 
     use super::*;
     use crate::Color;
@@ -200,6 +238,33 @@ mod tests {
         let offset = Length::from_num(y).to_bits().into();
         let plane = Shape::Plane(Plane::new(up, offset, None));
         Object::new(plane, Texture::Uniform(OPAQUE))
+    }
+
+    #[test]
+    fn neighbors_are_in_a_group() {
+        // Three clusters, taken in turns.
+        let mut objects = [(); 3 * GROUP].map(|()| sphere(0.0, OPAQUE));
+        for (number, object) in objects.iter_mut().enumerate() {
+            let cluster = (number % 3) as f64 - 1.0;
+            *object = sphere(0.9 * cluster + 0.01 * (number / 3) as f64, OPAQUE);
+        }
+        let (mut finite, mut groups) = (Vec::<_, 32>::new(), Vec::<_, 32>::new());
+        let index = Index {
+            finite: &mut finite,
+            groups: &mut groups,
+            endless: &mut Vec::<_, 32>::new(),
+        };
+        index.fill(&objects);
+        assert_eq!(groups.len(), 3);
+        let mut seen = [false; 3 * GROUP];
+        for group in finite.chunks(GROUP) {
+            let cluster = group[0].object % 3;
+            for around in group {
+                assert_eq!(around.object % 3, cluster);
+                seen[usize::from(around.object)] = true;
+            }
+        }
+        assert!(seen.into_iter().all(|seen| seen));
     }
 
     /// Which objects are alone.

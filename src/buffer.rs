@@ -12,7 +12,7 @@ use crate::{Camera, DecodeError, PreparedScene, Real, Scene, SceneError, compile
 /// Room for a prepared scene, in a `static` or on the stack: so many objects,
 /// lights and materials.
 ///
-/// An object takes 112 bytes, 18 more for its bounds and 12 for each light; a
+/// An object takes 112 bytes, 34 more for its bounds and 12 for each light; a
 /// light takes 28, a material 68.
 ///
 /// ```
@@ -30,6 +30,7 @@ pub struct SceneBuffer<const OBJECTS: usize, const LIGHTS: usize, const MATERIAL
     lights: Vec<Light, LIGHTS>,
     materials: Vec<Material, MATERIALS>,
     finite: Vec<Around, OBJECTS>,
+    groups: Vec<Around, OBJECTS>,
     endless: Vec<u16, OBJECTS>,
     /// How each light sees the finite objects, light after light.
     sights: [[Sight; OBJECTS]; LIGHTS],
@@ -53,6 +54,7 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize>
             lights: Vec::new(),
             materials: Vec::new(),
             finite: Vec::new(),
+            groups: Vec::new(),
             endless: Vec::new(),
             sights: [[Sight::NONE; OBJECTS]; LIGHTS],
         }
@@ -84,6 +86,7 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize>
     fn scene(&mut self, settings: Settings) -> PreparedScene<'_> {
         let index = Index {
             finite: self.finite.as_mut_view(),
+            groups: self.groups.as_mut_view(),
             endless: self.endless.as_mut_view(),
         };
         index.fill(&self.objects);
@@ -104,6 +107,7 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize>
                 count: self.finite.len(),
             },
             finite: &self.finite,
+            groups: &self.groups,
             endless: &self.endless,
             settings: Settings {
                 is_opaque: self.materials.iter().all(|material| material.kt.is_black()),

@@ -5,11 +5,12 @@
 //! far hit, on something endless beyond all else, takes the cold path.
 
 use crate::Vec3;
+use crate::acceleration::GROUP;
 use crate::num::{Length, NEAR_LIMIT, Scaled, Unit};
 use crate::observer::{Observer, ShapeKind};
 use crate::prepared::{Object, PreparedScene};
 use crate::ray::{Nature, Point, Ray, Start, are_near};
-use crate::shape::{Path, Quadric, Shape, Sphereflake, coarse, narrow};
+use crate::shape::{Around, Path, Quadric, Shape, Sphereflake, coarse, narrow};
 
 /// The nearest surface of a ray.
 #[derive(Clone, Copy, Debug)]
@@ -68,9 +69,6 @@ pub(crate) fn nearest(
     part: &mut Part,
     observer: &mut impl Observer,
 ) -> Option<Hit> {
-    if !ray.origin.is_near() {
-        return nearest_from_far(scene, ray, part, observer);
-    }
     if ray.start.inward
         && ray.start.nature.is(Nature::ALONE)
         && let Shape::Sphere(sphere) = &scene.object(ray.start.object).shape
@@ -81,9 +79,40 @@ pub(crate) fn nearest(
             distance: sphere.across(ray.origin.coordinates, ray.direction),
         });
     }
+    if !ray.origin.is_near() || !scene.groups.is_empty() {
+        return nearest_of_many(scene, ray, part, observer);
+    }
     let mut nearest = Nearest::new(scene, ray, part);
     let left = ray.start.left;
-    nearest.meet_finite(left, observer);
+    nearest.meet_finite(scene.finite, left, observer);
+    for &object in scene.endless {
+        if object != left {
+            nearest.meet(object, observer);
+        }
+    }
+    nearest.hit(observer)
+}
+
+/// The same from far away, or among many objects: by their groups.
+#[inline(never)]
+fn nearest_of_many(
+    scene: &PreparedScene<'_>,
+    ray: &Ray,
+    part: &mut Part,
+    observer: &mut impl Observer,
+) -> Option<Hit> {
+    if !ray.origin.is_near() {
+        return nearest_from_far(scene, ray, part, observer);
+    }
+    let mut nearest = Nearest::new(scene, ray, part);
+    let (origin, direction) = (coarse(ray.origin.coordinates), narrow(ray.direction));
+    let left = ray.start.left;
+    observer.bounds(scene.groups.len() as u32);
+    for (group, members) in scene.groups.iter().zip(scene.finite.chunks(GROUP)) {
+        if group.may_meet(origin, direction) {
+            nearest.meet_finite(members, left, observer);
+        }
+    }
     for &object in scene.endless {
         if object != left {
             nearest.meet(object, observer);
@@ -132,14 +161,14 @@ impl<'r> Nearest<'r> {
         }
     }
 
-    /// Looks at the finite objects whose bounds the ray meets, but for the one
+    /// Looks at finite objects whose bounds the ray meets, but for the one
     /// that it has left for good.
     #[inline(always)]
-    fn meet_finite(&mut self, left: u16, observer: &mut impl Observer) {
+    fn meet_finite(&mut self, objects: &[Around], left: u16, observer: &mut impl Observer) {
         let origin = coarse(self.ray.origin.coordinates);
         let direction = narrow(self.ray.direction);
-        observer.bounds(self.scene.finite.len() as u32);
-        for around in self.scene.finite {
+        observer.bounds(objects.len() as u32);
+        for around in objects {
             if around.may_meet(origin, direction) && around.object != left {
                 self.meet(around.object, observer);
             }
@@ -282,7 +311,7 @@ fn nearest_from_far(
     let endless = nearest_endless(scene, ray, observer);
     let finite = ray.approaching().and_then(|(ray, skipped)| {
         let mut nearest = Nearest::new(scene, &ray, part);
-        nearest.meet_finite(ray.start.left, observer);
+        nearest.meet_finite(scene.finite, ray.start.left, observer);
         let distance = i64::from(nearest.limit.to_bits()) + skipped;
         Some((nearest.hit(observer)?, distance))
     });

@@ -42,14 +42,10 @@ impl Bound {
 
     /// For rays from anywhere, of an object.
     pub(crate) fn around(&self, object: u16) -> Around {
-        Around {
-            center: self
-                .center
-                .map(|c| ((c.to_bits() + (1 << 15)) >> 16) as i16),
-            object,
-            radius: self.radius + MOVED,
-            reach: high((self.radius + MOVED).square().to_bits()) + 4,
-        }
+        let center = self
+            .center
+            .map(|c| ((c.to_bits() + (1 << 15)) >> 16) as i16);
+        Around::new(center, self.radius + MOVED, object)
     }
 }
 
@@ -129,12 +125,48 @@ pub(crate) struct Around {
 }
 
 impl Around {
+    fn new(center: Vec3<i16>, radius: Length, object: u16) -> Self {
+        Self {
+            center,
+            object,
+            radius,
+            reach: high(radius.square().to_bits()) + 4,
+        }
+    }
+
     /// The bound itself, a little larger.
     pub(crate) fn bound(&self) -> Bound {
         Bound {
             center: self.center.map(|c| Length::from_bits(i32::from(c) << 16)),
             radius: self.radius,
         }
+    }
+
+    /// The square of how far another center is away: Q24.
+    pub(crate) fn squared_to(&self, other: &Self) -> i32 {
+        let way = self
+            .center
+            .zip(other.center, |a, b| i32::from(a) - i32::from(b));
+        dot(way, way)
+    }
+
+    /// Around all of a group, from the middle of their centers, and of no object.
+    pub(crate) fn all(group: &[Self]) -> Self {
+        let mut sum = Vec3::new(0, 0, 0);
+        for member in group {
+            sum = sum + member.center.map(i32::from);
+        }
+        let count = group.len().max(1) as i32;
+        let center = sum.map(|c| c.wrapping_div(count) as i16);
+        let middle = Self::new(center, Length::ZERO, u16::MAX);
+        let mut radius = Length::ZERO;
+        for member in group {
+            // Q24 -> Q56 -> Q28
+            let square = middle.squared_to(member) as u64;
+            let distance = Length::from_bits(square_root(square << 32) as i32);
+            radius = radius.max(distance + member.radius);
+        }
+        Self::new(center, radius + Length::DELTA, u16::MAX)
     }
 
     /// Whether a ray from a near origin may meet the shape ahead: the origin is
@@ -235,5 +267,47 @@ mod tests {
         }
         println!("{met} bounds met, {passed} passed by, {in_vain} looked at in vain");
         assert!(3 * met > rays && 10 * passed > rays);
+    }
+
+    #[test]
+    fn no_ray_that_meets_a_bound_passes_over_its_group() {
+        let random = &mut Rng::with_seed(2);
+        let (mut met, mut passed) = (0, 0);
+        for _ in 0..if cfg!(miri) { 30 } else { 30_000 } {
+            let (middle, spread) = (point(random, 0.8), 10_f64.powf(-3.0 * random.f64()));
+            let radius = Length::from_num(0.1 * spread * random.f64());
+            let bounds = [(); 2].map(|()| Bound {
+                center: middle + point(random, 0.2 * spread),
+                radius,
+            });
+            let group = Around::all(&bounds.map(|bound| bound.around(0)));
+            let origin = point(random, 3.5);
+            // Towards somewhere near, or to just within the far end of one.
+            let mut towards = middle + point(random, 0.5 * spread);
+            if random.bool() {
+                let [one, other] = bounds.map(|bound| bound.center);
+                let Some(away) = vector::direction((one - other).map(|c| c.to_bits().into()))
+                else {
+                    continue;
+                };
+                towards = one + away.times(radius - (radius >> 7));
+            }
+            let way = (towards - origin).map(|c| i64::from(c.to_bits()));
+            let Some(direction) = vector::direction(way) else {
+                continue;
+            };
+            let may_meet = group.may_meet(coarse(origin), narrow(direction));
+            let meets = bounds.iter().any(|bound| {
+                let [off, along] = passes(bound, origin, direction);
+                off <= bound.radius.to_num::<f64>() && along > 0.0
+            });
+            assert!(!meets || may_meet, "{bounds:?} {origin:?} {direction:?}");
+            met += i32::from(meets);
+            passed += i32::from(!may_meet);
+        }
+        assert!(
+            5 * met > passed && 5 * passed > met,
+            "{met} met, {passed} passed by"
+        );
     }
 }
