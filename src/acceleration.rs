@@ -19,7 +19,7 @@ use crate::texture::Texture;
 pub(crate) const GROUP: usize = 8;
 
 /// No more objects than these are looked at one by one.
-const FEW: usize = 2 * GROUP;
+pub(crate) const FEW: usize = 2 * GROUP;
 
 /// The lists that tell where to look for objects, each as long as theirs.
 pub(crate) struct Index<'b> {
@@ -41,12 +41,12 @@ impl Index<'_> {
             };
             let _ = self.finite.push(bound.around(number));
         }
-        self.groups.clear();
         if self.finite.len() > FEW {
             gather(self.finite);
-            for group in self.finite.chunks(GROUP) {
-                let _ = self.groups.push(Around::all(group));
-            }
+        }
+        self.groups.clear();
+        for group in self.finite.chunks(GROUP) {
+            let _ = self.groups.push(Around::all(group));
         }
     }
 }

@@ -5,7 +5,7 @@
 //! far hit, on something endless beyond all else, takes the cold path.
 
 use crate::Vec3;
-use crate::acceleration::GROUP;
+use crate::acceleration::{FEW, GROUP};
 use crate::num::{Length, NEAR_LIMIT, Scaled, Unit};
 use crate::observer::{Observer, ShapeKind};
 use crate::prepared::{Object, PreparedScene};
@@ -17,8 +17,9 @@ use crate::shape::{Around, Path, Quadric, Shape, Sphereflake, coarse, narrow};
 pub(crate) struct Hit {
     /// The object's number.
     pub(crate) object: u16,
-    /// From a near origin, [`Length::MAX`] if it is not near. From a far one,
-    /// to something finite: from where the ray is [`Ray::approaching`].
+    /// Whether both the ray's origin and the surface are near.
+    is_near: bool,
+    /// If so, or else of something finite: from where the ray is [`Ray::approaching`].
     distance: Length,
 }
 
@@ -26,7 +27,7 @@ impl Hit {
     /// Moves a ray on to the point of the surface.
     #[inline(always)]
     pub(crate) fn reach(self, object: &Object, ray: &mut Ray) {
-        if self.distance == Length::MAX || !ray.origin.is_near() {
+        if !self.is_near {
             ray.origin = self.far_point(object, ray);
             return;
         }
@@ -76,10 +77,11 @@ pub(crate) fn nearest(
         observer.test(ShapeKind::Sphere, true);
         return Some(Hit {
             object: ray.start.object,
+            is_near: true,
             distance: sphere.across(ray.origin.coordinates, ray.direction),
         });
     }
-    if !ray.origin.is_near() || !scene.groups.is_empty() {
+    if !ray.origin.is_near() || scene.finite.len() > FEW {
         return nearest_of_many(scene, ray, part, observer);
     }
     let mut nearest = Nearest::new(scene, ray, part);
@@ -93,9 +95,9 @@ pub(crate) fn nearest(
     nearest.hit(observer)
 }
 
-/// The same from far away, or among many objects: by their groups.
+/// The same from anywhere, among any number of objects: by their groups.
 #[inline(never)]
-fn nearest_of_many(
+pub(crate) fn nearest_of_many(
     scene: &PreparedScene<'_>,
     ray: &Ray,
     part: &mut Part,
@@ -196,6 +198,7 @@ impl<'r> Nearest<'r> {
         if self.limit < NEAR_LIMIT {
             return Some(Hit {
                 object: self.object,
+                is_near: true,
                 distance: self.limit,
             });
         }
@@ -280,6 +283,7 @@ fn nearest_endless(
     let (object, distance) = met.min_by_key(|(_, distance)| *distance)?;
     let hit = Hit {
         object,
+        is_near: false,
         distance: Length::MAX,
     };
     Some((hit, distance))
@@ -313,7 +317,9 @@ fn nearest_from_far(
         let mut nearest = Nearest::new(scene, &ray, part);
         nearest.meet_finite(scene.finite, ray.start.left, observer);
         let distance = i64::from(nearest.limit.to_bits()) + skipped;
-        Some((nearest.hit(observer)?, distance))
+        let hit = nearest.hit(observer)?;
+        let is_near = false;
+        Some((Hit { is_near, ..hit }, distance))
     });
     match (finite, endless) {
         (Some((hit, distance)), Some((_, endless))) if distance <= endless.to_bits() => Some(hit),

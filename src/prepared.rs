@@ -40,7 +40,7 @@ pub struct PreparedScene<'b> {
     pub(crate) materials: &'b [Material],
     /// The bounds of the finite objects.
     pub(crate) finite: &'b [Around],
-    /// Those of groups of them, neighbors side by side, if there are many.
+    /// Those of groups of them: of neighbors, if there are many.
     pub(crate) groups: &'b [Around],
     /// The numbers of the endless objects.
     pub(crate) endless: &'b [u16],

@@ -110,7 +110,7 @@ fn look(
     }
     let hit = match candidates.objects() {
         Some(objects) => intersect::nearest_of(objects, scene, surface.ray(), part, observer),
-        None => intersect::nearest(scene, surface.ray(), part, observer),
+        None => intersect::nearest_of_many(scene, surface.ray(), part, observer),
     };
     let Some(hit) = hit else {
         return missed(scene, surface.ray().direction, candidates, observer);
