@@ -18,7 +18,7 @@ use crate::texture::Texture;
 /// How many objects that are near each other share a bound.
 pub(crate) const GROUP: usize = 8;
 
-/// No more objects than these are looked at one by one.
+/// Up to so many objects are looked at one by one, as so few do not repay groups.
 pub(crate) const FEW: usize = 2 * GROUP;
 
 /// The lists that tell where to look for objects, each as long as theirs.

@@ -19,7 +19,8 @@ pub(crate) struct Hit {
     pub(crate) object: u16,
     /// Whether both the ray's origin and the surface are near.
     is_near: bool,
-    /// If so, or else of something finite: from where the ray is [`Ray::approaching`].
+    /// How far the surface is from the origin if so; else, if it is finite, from where the ray
+    /// is [`Ray::approaching`].
     distance: Length,
 }
 
