@@ -6,8 +6,10 @@ use std::io::BufReader;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+use embedded_graphics_core::geometry::Size;
 use whitted::Color;
-use whitted_sim::png16;
+use whitted_sim::cost::{Model, Work};
+use whitted_sim::{png16, scene_file};
 
 type Outcome = Result<(), Box<dyn Error>>;
 
@@ -87,6 +89,28 @@ fn stats_end_with_the_checksum() -> Outcome {
     let [display, linear] = [&display, &linear].map(|said| said.lines().last());
     assert!(display.is_some_and(|line| line.starts_with("checksum: ")));
     assert_eq!(display, linear);
+    Ok(())
+}
+
+/// What is decoded and each line included, of a scene where that counts.
+#[test]
+fn stats_tell_what_the_model_predicts() -> Outcome {
+    let here = Directory::new("estimate")?;
+    let said = here.ok(&["render", "phong_terms", "--size", "96x72", "--stats"])?;
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes/phong_terms.toml");
+    let mut buffer = Box::new(scene_file::Buffer::new());
+    let file = scene_file::load(&file)?;
+    let work = Work::of(&file.prepare(&mut buffer)?, Size::new(96, 72));
+    let model = Model::committed()?;
+    for (core, title) in [("m0", "Cortex-M0+ at"), ("m3", "Cortex-M3 at")] {
+        let predicted = model.core(core).ok_or(core)?.instructions(&work) / 1e6;
+        let told = format!(" {predicted:.1} M instructions");
+        let line = said.lines().find(|line| line.contains(title));
+        assert!(
+            line.is_some_and(|line| line.ends_with(&told)),
+            "{told}, but {said}"
+        );
+    }
     Ok(())
 }
 

@@ -79,19 +79,20 @@ impl Work {
     /// That of a frame, for all that the microcontroller does: it decodes the
     /// compiled scene, and draws it.
     pub fn of(scene: &PreparedScene<'_>, size: Size) -> Self {
-        let mut work = Self::new(scene);
-        let [objects, ..] = scene.counts();
-        work.amounts[Place::Outline as usize] = objects as u64 * u64::from(size.height);
-        let mut renderer = Renderer::with_observer(scene, size, work);
+        let mut renderer = Renderer::with_observer(scene, size, Self::new(scene, size));
         render::trace(&mut renderer, |_| {});
         renderer.observer().clone()
     }
 
-    /// Before the first ray.
-    pub fn new(scene: &PreparedScene<'_>) -> Self {
-        let mut work = Self::default();
+    /// Before the first ray: what decoding takes, and each line.
+    pub fn new(scene: &PreparedScene<'_>, size: Size) -> Self {
+        let [objects, lights, _] = scene.counts().map(|count| count as u64);
+        let mut work = Self {
+            lights,
+            ..Self::default()
+        };
         work.amounts[Place::Byte as usize] = scene.encoded_len() as u64;
-        [_, work.lights, _] = scene.counts().map(|count| count as u64);
+        work.amounts[Place::Outline as usize] = objects * u64::from(size.height);
         work
     }
 
