@@ -48,6 +48,7 @@ items! {
     FlakeTest: "sphereflake_test", "a test of a sphereflake";
     FlakeSphere: "sphereflake_sphere", "a sphere of a sphereflake, visited";
     SphereMet: "sphere_met", "a sphere that is in the way";
+    SphereBetween: "sphere_between", "a sphere, looked at by a shadow ray";
     PlaneBetween: "plane_between", "a plane in the way of a shadow ray";
     QuadricMet: "quadric_met", "an ellipsoid, cylinder, cone or paraboloid in the way";
 }
@@ -127,12 +128,11 @@ impl Observer for Work {
     fn test(&mut self, shape: ShapeKind, met: bool) {
         use Place::*;
         self.stats.test(shape, met);
+        let is_shadow = self.ray == Some(RayKind::Shadow);
         let (test, way) = match shape {
+            ShapeKind::Sphere if is_shadow => (SphereBetween, None),
             ShapeKind::Sphere => (SphereTest, Some(SphereMet)),
-            ShapeKind::Plane => {
-                let is_shadow = self.ray == Some(RayKind::Shadow);
-                (PlaneTest, is_shadow.then_some(PlaneBetween))
-            }
+            ShapeKind::Plane => (PlaneTest, is_shadow.then_some(PlaneBetween)),
             ShapeKind::Ellipsoid => (EllipsoidTest, Some(QuadricMet)),
             ShapeKind::Cylinder => (CylinderTest, Some(QuadricMet)),
             ShapeKind::Cone => (ConeTest, Some(QuadricMet)),
