@@ -363,7 +363,7 @@ mod tests {
             }
         }
         assert!(
-            points > 1000 && hidden > 1000,
+            points > 100 && hidden > 100,
             "{points} in view, {hidden} hidden"
         );
     }

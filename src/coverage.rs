@@ -275,6 +275,7 @@ mod tests {
             }
         }
         println!("{covered} of {pixels} pixels covered");
-        assert!(covered > pixels / 4 && covered < pixels * 9 / 10);
+        // One scene alone may be full.
+        assert!(covered > pixels / 4 && (SCENES == 1 || covered < pixels * 9 / 10));
     }
 }

@@ -273,7 +273,7 @@ mod tests {
     fn no_ray_that_meets_a_bound_passes_over_its_group() {
         let random = &mut Rng::with_seed(2);
         let (mut met, mut passed) = (0, 0);
-        for _ in 0..if cfg!(miri) { 30 } else { 30_000 } {
+        for _ in 0..if cfg!(miri) { 300 } else { 30_000 } {
             let (middle, spread) = (point(random, 0.8), 10_f64.powf(-3.0 * random.f64()));
             let radius = Length::from_num(0.1 * spread * random.f64());
             let bounds = [(); 2].map(|()| Bound {
