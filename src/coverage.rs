@@ -9,6 +9,7 @@ use heapless::Vec;
 
 use crate::camera::{Row, View};
 use crate::num::{Length, Product, Square, square_root};
+use crate::observer::Observer;
 use crate::prepared::PreparedScene;
 use crate::shape::{Bound, Shape};
 use crate::vector::high;
@@ -59,14 +60,22 @@ struct Span {
 impl Coverage {
     /// Finds the objects of line `y`: the finite ones first, as all other rays look at
     /// them, so that of two surfaces in one place the same is seen.
-    pub(crate) fn look(&mut self, scene: &PreparedScene<'_>, view: &View, y: u32) {
+    pub(crate) fn look(
+        &mut self,
+        scene: &PreparedScene<'_>,
+        view: &View,
+        y: u32,
+        observer: &mut impl Observer,
+    ) {
         self.spans.clear();
         self.change = 0;
         let row = view.row(&scene.settings.camera, y);
         let whole = [0, row.width];
         let mut fits = true;
         for around in scene.finite {
-            if let Some(columns) = columns(&around.bound(), &row) {
+            let columns = columns(&around.bound(), &row);
+            observer.outline(columns.is_some());
+            if let Some(columns) = columns {
                 fits &= self.add(around.object, columns);
             }
         }

@@ -61,6 +61,13 @@ pub trait Observer {
         let _ = count;
     }
 
+    /// Before the first ray of a line, a finite object was looked for in it; `seen` if some
+    /// of its rays may meet the object.
+    #[inline(always)]
+    fn outline(&mut self, seen: bool) {
+        let _ = seen;
+    }
+
     /// A sphere of a sphereflake was visited; the test that it belongs to is
     /// told of after all its spheres.
     #[inline(always)]
@@ -140,6 +147,12 @@ impl<A: Observer, B: Observer> Observer for Both<'_, A, B> {
     fn bounds(&mut self, count: u32) {
         self.0.bounds(count);
         self.1.bounds(count);
+    }
+
+    #[inline(always)]
+    fn outline(&mut self, seen: bool) {
+        self.0.outline(seen);
+        self.1.outline(seen);
     }
 
     #[inline(always)]

@@ -28,14 +28,14 @@ impl<'s> Raster<'s> {
     /// The pixels of some columns of a view's line `y`, with their columns. A
     /// line outside of the view is empty.
     #[inline(never)]
-    pub(crate) fn pixels<'r, O>(
+    pub(crate) fn pixels<'r, O: Observer>(
         &'r mut self,
         view: &View,
         y: u32,
         columns: Columns,
         observer: &'r mut O,
     ) -> Pixels<'r, O> {
-        self.coverage.look(self.scene, view, y);
+        self.coverage.look(self.scene, view, y, observer);
         Pixels {
             directions: view.line(y).through(columns),
             x: columns.from,

@@ -40,7 +40,8 @@ items! {
     PlaneTest: "plane_test", "a test of a plane";
     Bound: "bound", "a bound, looked at by a secondary ray";
     ShadowBound: "shadow_bound", "a bound, looked at by a shadow ray";
-    Outline: "outline", "an object's outline in a line";
+    Outline: "outline", "an object, looked for in a line";
+    OutlineSeen: "outline_seen", "of these, one that the line may show";
     EllipsoidTest: "ellipsoid_test", "a test of an ellipsoid";
     CylinderTest: "cylinder_test", "a test of a cylinder";
     ConeTest: "cone_test", "a test of a cone";
@@ -80,20 +81,19 @@ impl Work {
     /// That of a frame, for all that the microcontroller does: it decodes the
     /// compiled scene, and draws it.
     pub fn of(scene: &PreparedScene<'_>, size: Size) -> Self {
-        let mut renderer = Renderer::with_observer(scene, size, Self::new(scene, size));
+        let mut renderer = Renderer::with_observer(scene, size, Self::new(scene));
         render::trace(&mut renderer, |_| {});
         renderer.observer().clone()
     }
 
-    /// Before the first ray: what decoding takes, and each line.
-    pub fn new(scene: &PreparedScene<'_>, size: Size) -> Self {
-        let [objects, lights, _] = scene.counts().map(|count| count as u64);
+    /// Before the first ray: what decoding takes.
+    pub fn new(scene: &PreparedScene<'_>) -> Self {
+        let [_, lights, _] = scene.counts().map(|count| count as u64);
         let mut work = Self {
             lights,
             ..Self::default()
         };
         work.amounts[Place::Byte as usize] = scene.encoded_len() as u64;
-        work.amounts[Place::Outline as usize] = objects * u64::from(size.height);
         work
     }
 
@@ -154,6 +154,13 @@ impl Observer for Work {
         self.amounts[place as usize] += u64::from(count);
     }
 
+    fn outline(&mut self, seen: bool) {
+        self.count(Place::Outline);
+        if seen {
+            self.count(Place::OutlineSeen);
+        }
+    }
+
     fn sphere(&mut self) {
         self.count(Place::FlakeSphere);
     }
@@ -170,5 +177,25 @@ impl Observer for Work {
         let met = self.met.entry(material).or_default();
         met.visible += u64::from(node.local != Color::default());
         met.is_lit |= self.ray == Some(RayKind::Shadow);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene_file;
+
+    #[test]
+    fn objects_are_looked_for_in_each_line() -> Result<(), Box<dyn std::error::Error>> {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes/sunflower.toml");
+        let file = scene_file::load(std::path::Path::new(path))?;
+        let mut buffer = Box::new(scene_file::Buffer::new());
+        let work = Work::of(&file.prepare(&mut buffer)?, Size::new(4, 60));
+        let of = |place: Place| work.amounts()[place as usize];
+        // Balls, each no more than a quarter of the picture's height.
+        assert_eq!(of(Place::Outline), 48 * 60);
+        assert!((48 * 2..48 * 15).contains(&of(Place::OutlineSeen)));
+        assert!(of(Place::Light) > 100);
+        Ok(())
     }
 }

@@ -48,7 +48,7 @@ pub(crate) fn frame(
     let work = match passes.samples() {
         None => draw_passes(scene, shown, passes, &mut panel, progress)?,
         Some(samples) => {
-            let (work, mut memory) = (Work::new(scene, size), two_lines(size));
+            let (work, mut memory) = (Work::new(scene), two_lines(size));
             let mut renderer = Antialiased::with_observer(scene, size, samples, &mut memory, work)?;
             renderer.set_output(shown.output());
             for y in 0..size.height {
@@ -70,8 +70,7 @@ fn draw_passes(
     panel: &mut Panel,
     progress: &mut Progress,
 ) -> Outcome<Work> {
-    let size = panel.size();
-    let mut renderer = Renderer::with_observer(scene, size, Work::new(scene, size));
+    let mut renderer = Renderer::with_observer(scene, panel.size(), Work::new(scene));
     renderer.set_output(shown.output());
     let area = panel.bounding_box();
     let mut steps = match passes.order {

@@ -26,7 +26,7 @@ pub(crate) fn linear(
     samples: Option<Samples>,
 ) -> Outcome<Linear> {
     let mut progress = Progress::new(size.height);
-    let work = Work::new(scene, size);
+    let work = Work::new(scene);
     let (picture, work) = match samples {
         None => {
             let mut renderer = Renderer::with_observer(scene, size, work);

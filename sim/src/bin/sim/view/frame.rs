@@ -56,7 +56,7 @@ impl Frame {
             Order::Scanlines => Drawing::scanlines(area),
         };
         self.edges = edges;
-        self.work = Work::new(scene, self.panel.size());
+        self.work = Work::new(scene);
         self.memory = memory(scene.counts());
         self.renderer = match edges {
             None => size_of::<Renderer<'_>>(),
@@ -84,8 +84,7 @@ impl Frame {
         let Some(samples) = self.edges.take() else {
             return;
         };
-        let size = self.panel.size();
-        let work = Work::new(scene, size);
+        let (size, work) = (self.panel.size(), Work::new(scene));
         let mut lines = two_lines(size);
         let smooth = Antialiased::with_observer(scene, size, samples, &mut lines, work);
         // A picture of the largest size is too large, and keeps its edges.
