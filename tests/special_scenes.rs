@@ -26,6 +26,12 @@ fn agrees(text: &str) -> Vec<[f64; 3]> {
     rendered
 }
 
+/// So many that rays meet the bounds of groups first.
+#[test]
+fn forty_eight_balls_reflect_each_other() {
+    agrees(include_str!("../scenes/sunflower.toml"));
+}
+
 const SPHERES: &str = r#"
 [camera]
 eye = [0, 1, 4]
