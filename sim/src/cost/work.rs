@@ -38,6 +38,7 @@ items! {
     Highlight: "highlight", "a highlight";
     SphereTest: "sphere_test", "a test of a sphere";
     PlaneTest: "plane_test", "a test of a plane";
+    PlanePassed: "plane_passed", "of these, one that an eye ray passes by";
     Bound: "bound", "a bound, looked at by a secondary ray";
     ShadowBound: "shadow_bound", "a bound, looked at by a shadow ray";
     Outline: "outline", "an object, looked for in a line";
@@ -143,6 +144,9 @@ impl Observer for Work {
         if let Some(way) = way.filter(|_| met) {
             self.count(way);
         }
+        if !met && matches!((shape, self.ray), (ShapeKind::Plane, Some(RayKind::Eye))) {
+            self.count(PlanePassed);
+        }
     }
 
     fn bounds(&mut self, count: u32) {
@@ -182,15 +186,37 @@ impl Observer for Work {
 
 #[cfg(test)]
 mod tests {
+    use std::error::Error;
+    use std::path::Path;
+
     use super::*;
     use crate::scene_file;
 
-    #[test]
-    fn objects_are_looked_for_in_each_line() -> Result<(), Box<dyn std::error::Error>> {
-        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes/sunflower.toml");
-        let file = scene_file::load(std::path::Path::new(path))?;
+    /// The work of one of the project's scenes.
+    fn work(scene: &str, size: Size) -> Result<Work, Box<dyn Error>> {
+        let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes"));
+        let file = scene_file::load(&folder.join(scene).with_extension("toml"))?;
         let mut buffer = Box::new(scene_file::Buffer::new());
-        let work = Work::of(&file.prepare(&mut buffer)?, Size::new(4, 60));
+        Ok(Work::of(&file.prepare(&mut buffer)?, size))
+    }
+
+    #[test]
+    fn planes_are_told_apart_that_eye_rays_pass_by() -> Result<(), Box<dyn Error>> {
+        let passed = |scene| {
+            let work = work(scene, Size::new(40, 30))?;
+            let of = |place: Place| work.amounts()[place as usize];
+            assert!(of(Place::PlanePassed) < of(Place::PlaneTest));
+            Ok::<_, Box<dyn Error>>(of(Place::PlanePassed))
+        };
+        // No line looks above the horizon for an endless floor, but any for one with edges.
+        assert_eq!(passed("emission_ambient")?, 0);
+        assert!(passed("bouncing_ball")? > 100);
+        Ok(())
+    }
+
+    #[test]
+    fn objects_are_looked_for_in_each_line() -> Result<(), Box<dyn Error>> {
+        let work = work("sunflower", Size::new(4, 60))?;
         let of = |place: Place| work.amounts()[place as usize];
         // Balls, each no more than a quarter of the picture's height.
         assert_eq!(of(Place::Outline), 48 * 60);
