@@ -178,14 +178,14 @@ mod tests {
     use std::println;
     use std::vec::Vec;
 
-    use super::Candidates;
+    use super::{Candidates, MOST};
     use crate::camera::View;
     use crate::intersect::Part;
     use crate::raster::Raster;
     use crate::tracer::trace;
     use crate::{
-        Background, Camera, Color, Light, Material, MaterialId, Object, Real, Scene, SceneBuffer,
-        Shape, Texture, Vec3,
+        Background, Camera, Color, Material, MaterialId, Object, Real, Scene, SceneBuffer, Shape,
+        Texture, Vec3,
     };
 
     const SCENES: u64 = if cfg!(miri) { 1 } else { 150 };
@@ -232,23 +232,55 @@ mod tests {
         }
     }
 
-    /// What a line passes over as out of view is met by no ray. Objects glow in colors of their
-    /// own, so that what is met is seen.
+    /// Materials that glow in colors of their own, so that what is met is seen.
+    fn materials(rng: &mut Rng) -> Vec<Material> {
+        let mut glow = || real(rng, 0.1, 1.0);
+        (0..8)
+            .map(|_| Material {
+                le: Color::new(glow(), glow(), glow()),
+                ..Material::default()
+            })
+            .collect()
+    }
+
+    /// Draws a scene line by line, and holds each pixel against a ray that may meet anything.
+    /// Returns how many pixels show an object.
+    fn covered(scene: &Scene<'_>, [width, height]: [u32; 2]) -> usize {
+        let mut buffer = Box::new(SceneBuffer::<96, 1, 8>::new());
+        let prepared = buffer.prepare(scene).unwrap();
+        let view = View::new(&prepared.settings.camera, width, height);
+        let (mut raster, mut part) = (Raster::new(&prepared), Part::default());
+        let mut covered = 0;
+        for y in 0..height {
+            let directions = view.line(y);
+            let observer = &mut ();
+            let pixels = raster.pixels(&view, y, view.columns(), observer);
+            for ((x, color), direction) in pixels.zip(directions) {
+                let anything = Candidates::default();
+                let expected = trace(&prepared, direction, &anything, &mut part, &mut ());
+                assert_eq!(color, expected, "{scene:?}, at ({x}, {y})");
+                covered += usize::from(color != Color::default());
+            }
+        }
+        covered
+    }
+
+    fn scene<'s>(camera: Camera, objects: &'s [Object], materials: &'s [Material]) -> Scene<'s> {
+        Scene {
+            objects,
+            materials,
+            background: Background::Solid(Color::gray(Real::ZERO)),
+            ..Scene::new(camera)
+        }
+    }
+
+    /// What a line passes over as out of view is met by no ray.
     #[test]
     fn a_line_has_the_colors_of_rays_that_may_meet_anything() {
         let mut rng = Rng::with_seed(7);
-        let (mut covered, mut pixels) = (0, 0);
-        for scene in 0..SCENES {
-            let materials: Vec<_> = (0..8)
-                .map(|_| Material {
-                    le: Color::new(
-                        real(&mut rng, 0.1, 1.0),
-                        real(&mut rng, 0.1, 1.0),
-                        real(&mut rng, 0.1, 1.0),
-                    ),
-                    ..Material::default()
-                })
-                .collect();
+        let (mut seen, mut pixels) = (0, 0);
+        for number in 0..SCENES {
+            let materials = materials(&mut rng);
             let objects: Vec<_> = (0..rng.u16(1..90))
                 .map(|n| Object {
                     shape: object(&mut rng),
@@ -257,34 +289,44 @@ mod tests {
                 .collect();
             let fovy = real(&mut rng, 2.0, 169.0);
             let camera = Camera::new(point(&mut rng, 2.5), point(&mut rng, 2.0), fovy);
-            let lights: [Light; 0] = [];
-            let scene_of = Scene {
-                objects: &objects,
-                materials: &materials,
-                lights: &lights,
-                background: Background::Solid(Color::gray(Real::ZERO)),
-                ..Scene::new(camera)
+            let size = [[64, 48], [17, 90], [120, 9]][number as usize % 3];
+            seen += covered(&scene(camera, &objects, &materials), size);
+            pixels += (size[0] * size[1]) as usize;
+        }
+        println!("{seen} of {pixels} pixels covered");
+        // One scene alone may be full.
+        assert!(seen > pixels / 4 && (SCENES == 1 || seen < pixels * 9 / 10));
+    }
+
+    /// Balls side by side, and a wall behind them, for which there may be no room left.
+    #[test]
+    fn a_line_of_too_many_objects_shows_all_of_them() {
+        let mut rng = Rng::with_seed(8);
+        let materials = materials(&mut rng);
+        let at = |x: i32, z: i32| Vec3::new(x, 0, z).map(Real::from_num);
+        let middle = MOST as i32 / 2;
+        let camera = Camera::new(at(middle, 80), at(middle, 0), Real::from_num(2.5));
+        for count in MOST as u16 - 1..=MOST as u16 + 1 {
+            let balls = (0..count).map(|n| Shape::Sphere {
+                center: at(n.into(), 0),
+                radius: Real::from_num(0.6),
+            });
+            let wall = Shape::Plane {
+                normal: at(0, 1),
+                point: at(0, -10),
+                bounds: Default::default(),
             };
-            let mut buffer = Box::new(SceneBuffer::<96, 1, 8>::new());
-            let prepared = buffer.prepare(&scene_of).unwrap();
-            let size = [(64, 48), (17, 90), (120, 9)][scene as usize % 3];
-            let view = View::new(&prepared.settings.camera, size.0, size.1);
-            let (mut raster, mut part) = (Raster::new(&prepared), Part::default());
-            for y in 0..size.1 {
-                let directions = view.line(y);
-                let observer = &mut ();
-                let lines = raster.pixels(&view, y, view.columns(), observer);
-                for ((x, color), direction) in lines.zip(directions) {
-                    let anything = Candidates::default();
-                    let expected = trace(&prepared, direction, &anything, &mut part, &mut ());
-                    assert_eq!(color, expected, "scene {scene}, at ({x}, {y})");
-                    covered += usize::from(color != Color::default());
-                    pixels += 1;
-                }
+            let objects: Vec<_> = balls
+                .chain([wall])
+                .zip(0..)
+                .map(|(shape, n)| Object {
+                    shape,
+                    texture: Texture::Uniform(MaterialId(n % 8)),
+                })
+                .collect();
+            for objects in [&objects[..], &objects[..count.into()]] {
+                assert!(covered(&scene(camera, objects, &materials), [160, 8]) > 0);
             }
         }
-        println!("{covered} of {pixels} pixels covered");
-        // One scene alone may be full.
-        assert!(covered > pixels / 4 && (SCENES == 1 || covered < pixels * 9 / 10));
     }
 }

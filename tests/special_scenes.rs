@@ -4,6 +4,7 @@
 
 mod common;
 
+use whitted::{Color, Observer, RayKind, Real, ShapeKind};
 use whitted_oracle::compare;
 
 #[track_caller]
@@ -30,6 +31,44 @@ fn agrees(text: &str) -> Vec<[f64; 3]> {
 #[test]
 fn forty_eight_balls_reflect_each_other() {
     agrees(include_str!("../scenes/sunflower.toml"));
+}
+
+/// Planes in all directions, from both sides.
+#[test]
+fn a_room_is_lit_from_within() {
+    agrees(include_str!("../scenes/room.toml"));
+}
+
+/// What is told of a light on its way: its tests, and then what they left of it.
+#[derive(Clone, Default)]
+struct Way {
+    is_hidden: bool,
+    filtered: u32,
+    clear: u32,
+}
+
+impl Observer for Way {
+    fn ray(&mut self, _: RayKind) {
+        self.is_hidden = false;
+    }
+
+    fn test(&mut self, _: ShapeKind, met: bool) {
+        self.is_hidden |= met;
+    }
+
+    fn shadow(&mut self, _: u16, left: Option<Color<Real>>) {
+        let is_clear = left == Some(Color::gray(Real::ONE));
+        assert_eq!(is_clear, !self.is_hidden, "{left:?}");
+        self.filtered += u32::from(!is_clear);
+        self.clear += u32::from(is_clear);
+    }
+}
+
+#[test]
+fn what_takes_light_away_is_told_of_as_met() {
+    let scene = include_str!("../scenes/filters.toml");
+    let (_, way) = common::observe(scene, [96, 72], Way::default());
+    assert!(way.filtered > 500 && way.clear > 500);
 }
 
 const SPHERES: &str = r#"
@@ -67,20 +106,18 @@ normal = [0, 0, 1]
 point = [0, 0, -40]
 material = "mirror"
 "#;
-    // Beside and behind the eye: seen in the mirror alone.
-    let behind = r#"
-[[objects]]
-type = "sphere"
-center = [3, 1, 5.2]
-radius = 1.5
-material = "red"
-"#;
-    let with = agrees(&format!(
-        "background = [0.2, 0.3, 0.5]\n{spheres}{mirror}{behind}"
-    ));
     let without = agrees(&format!("background = [0.2, 0.3, 0.5]\n{spheres}{mirror}"));
-    let changed = with.iter().zip(&without).filter(|(a, b)| a != b).count();
-    assert!(changed > 20, "{changed} pixels show what is behind the eye");
+    // Beside and behind the eye: seen in the mirror alone.
+    for behind in [
+        "type = \"sphere\"\ncenter = [3, 1, 5.2]\nradius = 1.5",
+        "type = \"ellipsoid\"\ncenter = [3, 1, 5.2]\nradii = [1.2, 1.6, 1.5]",
+    ] {
+        let with = agrees(&format!(
+            "background = [0.2, 0.3, 0.5]\n{spheres}{mirror}[[objects]]\n{behind}\nmaterial = \"red\"\n"
+        ));
+        let changed = with.iter().zip(&without).filter(|(a, b)| a != b).count();
+        assert!(changed > 20, "{changed} pixels show what is behind the eye");
+    }
 }
 
 /// From far point to far point: two endless mirrors face each other.
