@@ -474,3 +474,33 @@ fn settings() {
     assert_eq!(prepared_depth(32), Ok(()));
     assert_eq!(prepared_depth(33), Err(Item::Scene));
 }
+
+/// Items are numbered by 16 bits, and one number stands for none.
+#[test]
+fn lists_that_are_too_long_to_be_numbered() {
+    let (lights, materials) = (vec![light(); 65_536], vec![Material::BLACK; 65_536]);
+    let objects = vec![SPHERE; 65_536];
+    let scene = Scene {
+        materials: &materials[..1],
+        ..Scene::new(CAMERA)
+    };
+    let refused = |list, room| format!("scene: {list} are more than the {room} there is room for");
+    for count in [65_536, 65_535] {
+        // The longest that can be numbered is too long for the buffer.
+        let room = if count == 65_535 { 1 } else { 65_535 };
+        let (lights, materials, objects) =
+            (&lights[..count], &materials[..count], &objects[..count]);
+        assert_eq!(
+            setting_error(Scene { lights, ..scene }),
+            refused("lights", room)
+        );
+        assert_eq!(
+            setting_error(Scene { materials, ..scene }),
+            refused("materials", room)
+        );
+        assert_eq!(
+            setting_error(Scene { objects, ..scene }),
+            refused("objects", room)
+        );
+    }
+}

@@ -37,15 +37,28 @@ pub(super) fn scene(scene: &Scene<'_>) -> Result<(), SceneError> {
         }
     }
     camera(&scene.camera)?;
-    (0..)
-        .zip(scene.lights)
-        .try_for_each(|(index, l)| light(Item::Light(index), l))?;
-    (0..)
-        .zip(scene.materials)
-        .try_for_each(|(index, m)| material(Item::Material(index), m))?;
-    (0..)
-        .zip(scene.objects)
-        .try_for_each(|(index, o)| object(Item::Object(index), o, scene.materials.len()))
+    countable("lights", scene.lights.len())?;
+    countable("materials", scene.materials.len())?;
+    countable("objects", scene.objects.len())?;
+    for (it, index) in scene.lights.iter().zip(0..) {
+        light(Item::Light(index), it)?;
+    }
+    for (it, index) in scene.materials.iter().zip(0..) {
+        material(Item::Material(index), it)?;
+    }
+    for (it, index) in scene.objects.iter().zip(0..) {
+        object(Item::Object(index), it, scene.materials.len())?;
+    }
+    Ok(())
+}
+
+/// Items are numbered by 16 bits.
+fn countable(list: &'static str, length: usize) -> Result<(), SceneError> {
+    let capacity = u16::MAX;
+    if length > usize::from(capacity) {
+        return fail(Item::Scene, list, Problem::TooMany { capacity });
+    }
+    Ok(())
 }
 
 pub(crate) fn max_depth(max_depth: u8) -> Result<u8, SceneError> {
