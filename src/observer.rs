@@ -54,8 +54,8 @@ pub trait Observer {
         let _ = (shape, met);
     }
 
-    /// The ray that was told of last was tested against the bounds of so many
-    /// objects.
+    /// The ray that was told of last is tested against the bounds of so many objects, or of
+    /// groups of them; a shadow ray that something opaque stops, against so many at most.
     #[inline(always)]
     fn bounds(&mut self, count: u32) {
         let _ = count;

@@ -20,6 +20,17 @@ use crate::{Color, Real};
 
 /// A scene to be rendered, in world units and linear colors.
 ///
+/// What preparing accepts, both ends included:
+///
+/// * coordinates of points and directions, and ends of bounds: -2^24 to 2^24;
+/// * sizes, such as radii, heights, cells of a checkerboard and the smallest spheres of a
+///   sphereflake: 10^-6 to 2^24, and at least 2^-18 of half the box around all that is
+///   finite;
+/// * channels of lights, emission, ambient light and background: 0 to 256;
+/// * lists of up to 65,535 items.
+///
+/// The documentation of fields says what else holds.
+///
 /// ```
 /// use whitted::{Camera, Light, Material, MaterialId, Object, Scene, Vec3, Color, Real};
 ///
@@ -41,9 +52,9 @@ pub struct Scene<'a> {
     pub materials: &'a [Material],
     /// What is to be seen.
     pub objects: &'a [Object],
-    /// Ambient light `ia`, which a material reflects by its `ka`.
+    /// Ambient light `ia`, 0 to 256 a channel, which a material reflects by its `ka`.
     pub ambient: Color<Real>,
-    /// What a ray that hits nothing brings back.
+    /// What a ray that hits nothing brings back, 0 to 256 a channel.
     pub background: Background,
     /// The highlight model of materials that name none.
     pub shading: Shading,

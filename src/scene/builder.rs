@@ -44,6 +44,10 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize>
     }
 
     /// Adds a material; objects name it by what comes back.
+    ///
+    /// # Errors
+    ///
+    /// There is no room left for it.
     pub fn material(&mut self, material: Material) -> Result<MaterialId, SceneError> {
         let id = MaterialId(self.materials.len() as u16);
         self.materials
@@ -53,6 +57,10 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize>
     }
 
     /// Adds a light.
+    ///
+    /// # Errors
+    ///
+    /// There is no room left for it.
     pub fn light(&mut self, light: Light) -> Result<(), SceneError> {
         self.lights
             .push(light)
@@ -60,6 +68,10 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize>
     }
 
     /// Adds an object; its number is how many were added before it.
+    ///
+    /// # Errors
+    ///
+    /// There is no room left for it.
     pub fn object(&mut self, object: Object) -> Result<usize, SceneError> {
         let index = self.objects.len();
         self.objects

@@ -5,9 +5,9 @@ use crate::{Color, Real, Vec3};
 pub struct Light {
     /// Where it is.
     pub position: Vec3<Real>,
-    /// `id`, what diffuse reflection takes from it.
+    /// `id`, what diffuse reflection takes from it: 0 to 256 a channel.
     pub diffuse: Color<Real>,
-    /// `is`, what highlights take from it.
+    /// `is`, what highlights take from it: 0 to 256 a channel.
     pub specular: Color<Real>,
 }
 

@@ -2,7 +2,7 @@ use crate::{Color, Real};
 
 /// How a surface reflects and transmits light (Whitted 1980, Phong 1975).
 ///
-/// Coefficients are colors of 0 to 1 a channel; `le` may be brighter.
+/// Coefficients are colors of 0 to 1 a channel; `le` is up to 256.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Material {
     /// Ambient reflection.
@@ -19,7 +19,7 @@ pub struct Material {
     pub kt: Color<Real>,
     /// Index of refraction, 1 to 4; see [`ior`]. Read only where `kt` is not black.
     pub ior: Real,
-    /// Emission.
+    /// Emission, 0 to 256 a channel.
     pub le: Color<Real>,
     /// Highlight model; `None` takes the scene's.
     pub shading: Option<Shading>,

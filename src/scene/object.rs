@@ -88,7 +88,7 @@ pub enum Shape {
         origin: Vec3<Real>,
         /// Its radius, above 0.
         radius: Real,
-        /// Where it begins and ends; `None` is endless.
+        /// Where it begins and, above that, ends; `None` is endless.
         y: Option<[Real; 2]>,
     },
     /// `x² + z² = (r/h)² (y - h)²`: a circle of radius r at y = 0 and an apex at
@@ -101,7 +101,7 @@ pub enum Shape {
         /// Where the apex is: above 0, or below it for a cone that stands on
         /// its apex. 1/1024 to 1024 times the radius.
         height: Real,
-        /// Where it begins and ends; beyond the apex it is a double cone.
+        /// Where it begins and, above that, ends; beyond the apex it is a double cone.
         /// `None` is endless.
         y: Option<[Real; 2]>,
     },
@@ -109,7 +109,7 @@ pub enum Shape {
     Paraboloid {
         /// The vertex, from which `y` counts.
         origin: Vec3<Real>,
-        /// Where it begins and ends; the end is above 0.
+        /// Where it begins and, above that and above 0, ends.
         y: [Real; 2],
     },
     /// A plane, endless or bounded per axis. An endless one bounds the
@@ -180,7 +180,7 @@ impl Shape {
     ];
 }
 
-/// Bounds per axis in world coordinates, low and high.
+/// Bounds per axis in world coordinates: low ends, and high ends above them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Bounds {
     /// Along x; `None` is endless.
