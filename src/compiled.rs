@@ -97,7 +97,7 @@ pub(crate) fn encode(scene: &PreparedScene<'_>, out: &mut [u8]) -> Option<usize>
 /// ```
 /// use whitted::{SceneBuffer, counts};
 ///
-/// static SCENE: &[u8] = b"WHTD\x02\x05\0\x01\0\x03\0"; // include_bytes!("scene.bin")
+/// static SCENE: &[u8] = b"WHTD\x03\x05\0\x01\0\x03\0"; // include_bytes!("scene.bin")
 /// const COUNTS: [usize; 3] = counts(SCENE);
 /// let buffer = SceneBuffer::<{ COUNTS[0] }, { COUNTS[1] }, { COUNTS[2] }>::new();
 /// # let _ = buffer;

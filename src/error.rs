@@ -152,9 +152,10 @@ pub enum DecodeError {
     NotAScene,
     /// Compiled by another version of the format.
     Version(u8),
-    /// Fewer or more bytes than the header says.
+    /// Too few bytes for a header; or the checksum agrees, but there are fewer or more bytes
+    /// than the lists take.
     Length,
-    /// The checksum disagrees: the bytes were damaged.
+    /// The checksum disagrees: the bytes were damaged, or some are missing.
     Checksum,
     /// Checksum and length agree, but a value is not one a scene can have.
     Invalid(Item),
@@ -171,9 +172,11 @@ impl fmt::Display for DecodeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NotAScene => f.write_str("not a compiled scene"),
-            Self::Version(version) => write!(f, "compiled for format {version}"),
+            Self::Version(version) => {
+                write!(f, "compiled for another format, {version}: compile it anew")
+            }
             Self::Length => f.write_str("cut short or too long"),
-            Self::Checksum => f.write_str("damaged: wrong checksum"),
+            Self::Checksum => f.write_str("damaged or cut short: wrong checksum"),
             Self::Invalid(item) => write!(f, "{item} has an impossible value"),
             // Not by way of `SceneError`, which would bring the printing of
             // numbers with fractions into firmware.

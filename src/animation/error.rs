@@ -64,7 +64,7 @@ impl fmt::Display for AnimationProblem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Duration => f.write_str("the duration must be above 0, at most 16777216 seconds"),
-            Self::NoKeys => f.write_str("there must be a key at least"),
+            Self::NoKeys => f.write_str("there must be at least one key"),
             Self::Unsorted(key) => write!(f, "key {key} must not be before the one above it"),
             Self::Crowded(key) => write!(f, "key {key} is the third of its time"),
             Self::OutsideDuration(key) => {

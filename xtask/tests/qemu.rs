@@ -236,7 +236,7 @@ fn a_broken_scene_is_told_on_display_and_uart() -> Result<()> {
 
     let shot = screenshot("broken")?;
     let report = oled::draw(&LM3S6965EVB.build(Some(&broken))?, Some(&shot))?;
-    assert_eq!(report.get("error")?, "damaged: wrong checksum");
+    assert_eq!(report.get("error")?, "damaged or cut short: wrong checksum");
     let lit = shown(&shot)?.iter().filter(|level| **level == 15).count();
     assert!((200..2000).contains(&lit), "{lit} pixels of text");
     Ok(())

@@ -33,7 +33,10 @@ pub(super) fn break_off(port: &Port, scene: &Path) -> Result<()> {
             framed(&[1; 20_000])?,
             "broken: longer than the 16378 bytes there is room for",
         ),
-        (framed(&newer)?, "refused 0007: compiled for format 4"),
+        (
+            framed(&newer)?,
+            "refused 0007: compiled for another format, 4: compile it anew",
+        ),
         (
             framed(&crowd()?)?,
             "refused 0007: more objects than the 64 there is room for",
