@@ -91,7 +91,7 @@ pub(crate) fn look(light: &mut Light, objects: &[Object], endless: &[u16], sight
     light.is_walled = is_walled;
 }
 
-/// Notes of which spheres nothing can hide from a light what faces it.
+/// Marks the spheres whose side that faces a light nothing can hide.
 pub(crate) fn unveil(light: &Light, objects: &mut [Object]) {
     let position = light.position;
     for index in 0..objects.len() {

@@ -87,8 +87,8 @@ pub enum Target {
 }
 
 impl Animation<'_> {
-    /// Where the still camera of a scene is at a time, in seconds; the first part
-    /// of what a [`Stage`] does, for
+    /// A scene's camera as it has moved at a time, in seconds; the first part of what a
+    /// [`Stage`] does, for
     /// [`PreparedScene::set_camera`](crate::PreparedScene::set_camera).
     ///
     /// # Errors

@@ -159,8 +159,8 @@ pub(crate) struct Light {
     pub(crate) specular: Color<Factor>,
     /// Whether something endless may be between it and something finite.
     pub(crate) is_walled: bool,
-    /// What objects are of which nothing hides from it what faces it; none if there are
-    /// many lights before it.
+    /// The mark of objects whose side that faces it nothing hides; no mark from the ninth
+    /// light on.
     pub(crate) in_view: Nature,
 }
 

@@ -118,11 +118,11 @@ impl Nature {
     pub(crate) const ALONE: Self = Self(16);
     /// Its normal is y: a floor.
     pub(crate) const LEVEL: Self = Self(32);
-    /// Nothing hides from the first light what of it faces that; the bits above are for
-    /// the lights that follow.
+    /// Nothing hides the side that faces the first light; the bits above are for the seven
+    /// lights that follow.
     const IN_VIEW: Self = Self(256);
 
-    /// That nothing hides from a light what of it faces that: told of eight lights.
+    /// The mark that nothing hides the side that faces a light; only the first eight have one.
     pub(crate) fn in_view(light: usize) -> Self {
         if light < 8 {
             Self(Self::IN_VIEW.0 << light)

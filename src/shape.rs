@@ -30,12 +30,6 @@ pub(crate) enum Shape {
     Sphereflake(Sphereflake),
 }
 
-impl Default for Shape {
-    fn default() -> Self {
-        Self::Sphere(Sphere::default())
-    }
-}
-
 impl Shape {
     /// A sphere around all of it; `None` if it is endless.
     pub(crate) fn bounding_sphere(&self) -> Option<Bound> {

@@ -25,12 +25,6 @@ pub(crate) struct Checker {
     pub(crate) materials: [u16; 2],
 }
 
-impl Default for Texture {
-    fn default() -> Self {
-        Self::Uniform(0)
-    }
-}
-
 impl Texture {
     #[inline]
     pub(crate) fn material(&self, point: &Point) -> u16 {
