@@ -5,11 +5,13 @@
 //! explain the ones by the others, by least squares.
 
 mod count;
+mod crowd;
 mod cycles;
 mod document;
 mod fit;
 mod least_squares;
 mod mix;
+mod room;
 mod subject;
 mod thumb;
 

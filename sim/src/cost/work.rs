@@ -1,7 +1,9 @@
 use std::collections::BTreeMap;
 
 use embedded_graphics_core::geometry::Size;
-use whitted::{Color, Node, Observer, PreparedScene, RayKind, Renderer, ShapeKind, Stats};
+use whitted::{
+    Color, Node, Observer, PreparedScene, Radiance, RayKind, Renderer, ShapeKind, Stats,
+};
 
 use crate::render;
 
@@ -29,30 +31,34 @@ macro_rules! items {
 
 items! {
     Byte: "byte", "a byte of the compiled scene, decoded";
-    Eye: "eye_ray", "an eye ray: a pixel";
-    Secondary: "secondary_ray", "a reflected or transmitted ray";
-    Transmitted: "transmitted_ray", "of these, a transmitted one: its refraction";
-    Shadow: "shadow_ray", "a shadow ray";
-    Background: "background", "a ray that meets nothing";
-    Light: "light", "a light, at a surface that reflects it";
-    Highlight: "highlight", "a highlight";
-    SphereTest: "sphere_test", "a test of a sphere";
-    PlaneTest: "plane_test", "a test of a plane";
-    PlanePassed: "plane_passed", "of these, one that an eye ray passes by";
-    Bound: "bound", "a bound, looked at by a secondary ray";
-    ShadowBound: "shadow_bound", "a bound, looked at by a shadow ray";
     Outline: "outline", "an object, looked for in a line";
     OutlineSeen: "outline_seen", "of these, one that the line may show";
+    Eye: "eye_ray", "an eye ray: a pixel";
+    Secondary: "secondary_ray", "a reflected or transmitted ray: a secondary one";
+    Transmitted: "transmitted_ray", "of these, a transmitted one: its refraction";
+    Missing: "missing_ray", "of the secondary rays, one that meets nothing";
+    Sky: "sky", "a gradient, where any ray meets nothing";
+    Light: "light", "a light, at a surface that reflects it";
+    Highlight: "highlight", "a highlight";
+    Shadow: "shadow_ray", "a shadow ray";
+    Bound: "bound", "a bound, looked at by a secondary ray";
+    ShadowBound: "shadow_bound", "a bound, looked at by a shadow ray";
+    EyeSpherePassed: "eye_sphere_passed", "a sphere that an eye ray passes by";
+    EyeSphereMet: "eye_sphere_met", "a sphere in the way of an eye ray";
+    SphereTest: "sphere_test", "a sphere, looked at by a secondary ray";
+    SphereBetween: "sphere_between", "a sphere, looked at by a shadow ray";
+    EyePlanePassed: "eye_plane_passed", "a plane that an eye ray passes by";
+    EyePlaneMet: "eye_plane_met", "a plane in the way of an eye ray";
+    PlanePassed: "plane_passed", "a plane that a secondary ray passes by";
+    PlaneMet: "plane_met", "a plane in the way of a secondary ray";
+    PlaneBetween: "plane_between", "a plane, looked at by a shadow ray";
+    PlaneHides: "plane_hides", "of these, one that is in the way";
     EllipsoidTest: "ellipsoid_test", "a test of an ellipsoid";
     CylinderTest: "cylinder_test", "a test of a cylinder";
     ConeTest: "cone_test", "a test of a cone";
     ParaboloidTest: "paraboloid_test", "a test of a paraboloid";
-    FlakeTest: "sphereflake_test", "a test of a sphereflake";
-    FlakeSphere: "sphereflake_sphere", "a sphere of a sphereflake, visited";
-    SphereMet: "sphere_met", "a sphere that is in the way";
-    SphereBetween: "sphere_between", "a sphere, looked at by a shadow ray";
-    PlaneBetween: "plane_between", "a plane in the way of a shadow ray";
     QuadricMet: "quadric_met", "an ellipsoid, cylinder, cone or paraboloid in the way";
+    FlakeSphere: "sphereflake_sphere", "a sphere of a sphereflake, visited";
 }
 
 /// Counts what a frame asks for.
@@ -65,6 +71,12 @@ pub struct Work {
     lights: u64,
     /// The materials that rays meet, by their numbers.
     met: BTreeMap<u16, Met>,
+    /// How many rays met nothing.
+    misses: u64,
+    /// What the first of them brought back.
+    background: Option<Color<Radiance>>,
+    /// Whether another brought back something else.
+    is_gradient: bool,
     /// The ray that is under way.
     ray: Option<RayKind>,
 }
@@ -103,6 +115,9 @@ impl Work {
         let lit = self.met.values().filter(|met| met.is_lit);
         let mut amounts = self.amounts;
         amounts[Place::Light as usize] = self.lights * lit.map(|met| met.visible).sum::<u64>();
+        if self.is_gradient {
+            amounts[Place::Sky as usize] = self.misses;
+        }
         amounts
     }
 
@@ -129,23 +144,26 @@ impl Observer for Work {
     fn test(&mut self, shape: ShapeKind, met: bool) {
         use Place::*;
         self.stats.test(shape, met);
-        let is_shadow = self.ray == Some(RayKind::Shadow);
-        let (test, way) = match shape {
-            ShapeKind::Sphere if is_shadow => (SphereBetween, None),
-            ShapeKind::Sphere => (SphereTest, Some(SphereMet)),
-            ShapeKind::Plane => (PlaneTest, is_shadow.then_some(PlaneBetween)),
-            ShapeKind::Ellipsoid => (EllipsoidTest, Some(QuadricMet)),
-            ShapeKind::Cylinder => (CylinderTest, Some(QuadricMet)),
-            ShapeKind::Cone => (ConeTest, Some(QuadricMet)),
-            ShapeKind::Paraboloid => (ParaboloidTest, Some(QuadricMet)),
-            ShapeKind::Sphereflake => (FlakeTest, None),
+        let (test, way) = match (shape, self.ray, met) {
+            (ShapeKind::Sphere, Some(RayKind::Eye), true) => (EyeSphereMet, None),
+            (ShapeKind::Sphere, Some(RayKind::Eye), false) => (EyeSpherePassed, None),
+            (ShapeKind::Sphere, Some(RayKind::Shadow), _) => (SphereBetween, None),
+            (ShapeKind::Sphere, ..) => (SphereTest, None),
+            (ShapeKind::Plane, Some(RayKind::Eye), true) => (EyePlaneMet, None),
+            (ShapeKind::Plane, Some(RayKind::Eye), false) => (EyePlanePassed, None),
+            (ShapeKind::Plane, Some(RayKind::Shadow), _) => (PlaneBetween, Some(PlaneHides)),
+            (ShapeKind::Plane, _, true) => (PlaneMet, None),
+            (ShapeKind::Plane, _, false) => (PlanePassed, None),
+            (ShapeKind::Ellipsoid, ..) => (EllipsoidTest, Some(QuadricMet)),
+            (ShapeKind::Cylinder, ..) => (CylinderTest, Some(QuadricMet)),
+            (ShapeKind::Cone, ..) => (ConeTest, Some(QuadricMet)),
+            (ShapeKind::Paraboloid, ..) => (ParaboloidTest, Some(QuadricMet)),
+            // What it visits pays for it.
+            (ShapeKind::Sphereflake, ..) => return,
         };
         self.count(test);
         if let Some(way) = way.filter(|_| met) {
             self.count(way);
-        }
-        if !met && matches!((shape, self.ray), (ShapeKind::Plane, Some(RayKind::Eye))) {
-            self.count(PlanePassed);
         }
     }
 
@@ -175,7 +193,12 @@ impl Observer for Work {
 
     fn node(&mut self, node: &Node) {
         let Some(material) = node.material else {
-            self.count(Place::Background);
+            self.misses += 1;
+            if node.kind != RayKind::Eye {
+                self.count(Place::Missing);
+            }
+            let first = *self.background.get_or_insert(node.local);
+            self.is_gradient |= node.local != first;
             return;
         };
         let met = self.met.entry(material).or_default();
@@ -201,16 +224,31 @@ mod tests {
     }
 
     #[test]
-    fn planes_are_told_apart_that_eye_rays_pass_by() -> Result<(), Box<dyn Error>> {
-        let passed = |scene| {
-            let work = work(scene, Size::new(40, 30))?;
-            let of = |place: Place| work.amounts()[place as usize];
-            assert!(of(Place::PlanePassed) < of(Place::PlaneTest));
-            Ok::<_, Box<dyn Error>>(of(Place::PlanePassed))
+    fn planes_are_told_apart_by_the_rays_that_look_at_them() -> Result<(), Box<dyn Error>> {
+        let size = Size::new(40, 30);
+        let of = |scene, place: Place| {
+            Ok::<_, Box<dyn Error>>(work(scene, size)?.amounts()[place as usize])
         };
         // No line looks above the horizon for an endless floor, but any for one with edges.
-        assert_eq!(passed("emission_ambient")?, 0);
-        assert!(passed("bouncing_ball")? > 100);
+        assert_eq!(of("emission_ambient", Place::EyePlanePassed)?, 0);
+        assert!(of("bouncing_ball", Place::EyePlanePassed)? > 100);
+        // Nothing hides what is seen from within a room, and nothing is mirrored elsewhere.
+        assert_eq!(of("room", Place::PlaneHides)?, 0);
+        assert!(of("room", Place::PlaneBetween)? > 100);
+        assert!(of("room", Place::PlaneMet)? > 100);
+        assert_eq!(of("emission_ambient", Place::PlaneMet)?, 0);
+        Ok(())
+    }
+
+    #[test]
+    fn a_gradient_is_told_from_one_color() -> Result<(), Box<dyn Error>> {
+        let sky = |scene| {
+            let work = work(scene, Size::new(40, 30))?;
+            assert!(work.misses > 100);
+            Ok::<_, Box<dyn Error>>(work.amounts()[Place::Sky as usize])
+        };
+        assert!(sky("bouncing_ball")? > 100);
+        assert_eq!(sky("four_spheres")?, 0);
         Ok(())
     }
 

@@ -4,7 +4,9 @@ use std::path::{Path, PathBuf};
 use anyhow::Result;
 use embedded_graphics_core::geometry::Size;
 
+use super::crowd::crowd;
 use super::generator;
+use super::room::room;
 use crate::{root, scratch_dir};
 
 /// A picture to learn from.
@@ -17,24 +19,34 @@ pub(super) struct Subject {
     pub(super) is_shipped: bool,
 }
 
-/// How many random scenes.
+/// How many random scenes of each kind.
 const RANDOM: u64 = 64;
 
-/// The project's scenes, some of them again as pictures so small that decoding
-/// shows, and random ones, which tell apart what goes together in the others.
+/// The project's scenes, again as pictures of many and short lines, some of them as ones so
+/// small that decoding shows, and random ones, which tell apart what goes together in the
+/// others: things of all kinds, rooms, and crowds.
 pub(super) fn all() -> Result<Vec<Subject>> {
     let mut subjects = Vec::new();
-    for file in shipped()? {
-        subjects.push(subject(&file, Size::new(80, 60), true));
+    for (size, is_shipped) in [(Size::new(160, 120), true), (Size::new(8, 120), false)] {
+        for file in shipped()? {
+            subjects.push(subject(&file, size, is_shipped));
+        }
     }
     for name in ["whitted", "every_surface"] {
         let file = root().join("scenes").join(name).with_extension("toml");
         subjects.push(subject(&file, Size::new(8, 6), false));
     }
     for seed in 0..RANDOM {
-        let file = scratch_dir()?.join(format!("random_{seed}.toml"));
-        fs::write(&file, whole_shininess(&generator::scene(seed).toml))?;
-        subjects.push(subject(&file, Size::new(40, 30), false));
+        let things = whole_shininess(&generator::scene(seed).toml);
+        for (kind, toml) in [
+            ("things", things),
+            ("room", room(seed)),
+            ("crowd", crowd(seed)),
+        ] {
+            let file = scratch_dir()?.join(format!("random_{kind}_{seed}.toml"));
+            fs::write(&file, toml)?;
+            subjects.push(subject(&file, Size::new(40, 30), false));
+        }
     }
     Ok(subjects)
 }
