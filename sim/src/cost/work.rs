@@ -218,7 +218,7 @@ mod tests {
     /// The work of one of the project's scenes.
     fn work(scene: &str, size: Size) -> Result<Work, Box<dyn Error>> {
         let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes"));
-        let file = scene_file::load(&folder.join(scene).with_extension("toml"))?;
+        let file = scene_file::load(folder.join(scene).with_extension("toml"))?;
         let mut buffer = Box::new(scene_file::Buffer::new());
         Ok(Work::of(&file.prepare(&mut buffer)?, size))
     }
