@@ -175,6 +175,16 @@ impl Row {
         self.ends.iter().any(approaches)
     }
 
+    /// Whether all rays approach a plane alike: it is then as many times the length of its
+    /// direction away for each.
+    #[inline(never)]
+    pub(crate) fn is_along(&self, plane: &Plane) -> bool {
+        // Where a step to the right is zero, so is the change of a direction, exactly.
+        let are_still = |n, right| n == Unit::ZERO || right == Unit::ZERO;
+        let along = plane.normal.zip(self.right, are_still);
+        along.x && along.y && along.z
+    }
+
     /// The column of the ray that is `n / d` as far to the right as it is ahead,
     /// rounded down, 0 to 65535.
     #[inline(never)]

@@ -8,6 +8,7 @@ use fixed::types::I8F56;
 use heapless::Vec;
 
 use crate::camera::{Row, View};
+use crate::intersect::Hit;
 use crate::num::{Length, Product, Square, square_root};
 use crate::observer::Observer;
 use crate::prepared::PreparedScene;
@@ -23,7 +24,9 @@ const MOST: usize = 64;
 pub(crate) struct Coverage {
     spans: Vec<Span, MOST>,
     /// How many of the spans come before those that are all of planes.
-    curved: usize,
+    curved: u8,
+    /// How many come before those that are all of planes that all rays approach alike.
+    aslant: u8,
     /// What is at a column.
     here: Candidates,
     /// From which column on that may be something else.
@@ -39,6 +42,11 @@ pub(crate) struct Candidates {
     are_complete: bool,
     /// Whether they are all planes.
     pub(crate) are_flat: bool,
+    /// Whether that is a single plane that all rays approach alike.
+    are_level: bool,
+    /// Where a ray before this one met it: near, and as far away for this one, if the plane
+    /// reaches there.
+    pub(crate) met: Option<Hit>,
 }
 
 impl Candidates {
@@ -46,6 +54,14 @@ impl Candidates {
     #[inline(always)]
     pub(crate) fn objects(&self) -> Option<&[u16]> {
         self.are_complete.then_some(&self.objects)
+    }
+
+    /// Keeps a hit for the rays after this one, if it is as far away for them.
+    #[inline(always)]
+    pub(crate) fn keep(&mut self, hit: Hit) {
+        if self.are_level && hit.is_near {
+            self.met = Some(hit);
+        }
     }
 }
 
@@ -79,17 +95,22 @@ impl Coverage {
                 fits &= self.add(around.object, columns);
             }
         }
-        self.curved = self.spans.len();
+        self.curved = self.spans.len() as u8;
+        self.aslant = self.spans.len() as u8;
         for &object in scene.endless {
             let shape = scene.objects.get(usize::from(object)).map(|it| &it.shape);
-            let is_flat = match shape {
+            let (is_flat, is_along) = match shape {
                 Some(Shape::Plane(plane)) if !row.may_meet(plane) => continue,
-                Some(Shape::Plane(_)) => true,
-                _ => false,
+                Some(Shape::Plane(plane)) => (true, row.is_along(plane)),
+                _ => (false, false),
             };
             fits &= self.add(object, whole);
+            let number = self.spans.len() as u8;
             if !is_flat {
-                self.curved = self.spans.len();
+                self.curved = number;
+            }
+            if !is_along {
+                self.aslant = number;
             }
         }
         self.here.are_complete = fits;
@@ -102,11 +123,11 @@ impl Coverage {
 
     /// What the ray through column `x` may meet, columns being asked for in rising order.
     #[inline]
-    pub(crate) fn at(&mut self, x: u32) -> &Candidates {
+    pub(crate) fn at(&mut self, x: u32) -> &mut Candidates {
         if x >= self.change {
             self.advance(x);
         }
-        &self.here
+        &mut self.here
     }
 
     #[inline(never)]
@@ -114,14 +135,17 @@ impl Coverage {
         let here = &mut self.here;
         here.objects.clear();
         here.are_flat = here.are_complete;
+        here.are_level = here.are_complete;
+        here.met = None;
         self.change = u32::MAX;
-        for (number, span) in self.spans.iter().enumerate() {
+        for (span, number) in self.spans.iter().zip(0..) {
             let (from, to) = (u32::from(span.from), u32::from(span.to));
             if x < from {
                 self.change = self.change.min(from);
             } else if x < to {
                 self.change = self.change.min(to);
                 here.are_flat &= number >= self.curved;
+                here.are_level &= here.objects.is_empty() && number >= self.aslant;
                 // There is room for all of them.
                 let _ = here.objects.push(span.object);
             }
@@ -184,8 +208,8 @@ mod tests {
     use crate::raster::Raster;
     use crate::tracer::trace;
     use crate::{
-        Background, Camera, Color, Material, MaterialId, Object, Real, Scene, SceneBuffer, Shape,
-        Texture, Vec3,
+        Background, Bounds, Camera, Color, Material, MaterialId, Object, Real, Scene, SceneBuffer,
+        Shape, Texture, Vec3,
     };
 
     const SCENES: u64 = if cfg!(miri) { 1 } else { 150 };
@@ -256,8 +280,8 @@ mod tests {
             let observer = &mut ();
             let pixels = raster.pixels(&view, y, view.columns(), observer);
             for ((x, color), direction) in pixels.zip(directions) {
-                let anything = Candidates::default();
-                let expected = trace(&prepared, direction, &anything, &mut part, &mut ());
+                let anything = &mut Candidates::default();
+                let expected = trace(&prepared, direction, anything, &mut part, &mut ());
                 assert_eq!(color, expected, "{scene:?}, at ({x}, {y})");
                 covered += usize::from(color != Color::default());
             }
@@ -296,6 +320,46 @@ mod tests {
         println!("{seen} of {pixels} pixels covered");
         // One scene alone may be full.
         assert!(seen > pixels / 4 && (SCENES == 1 || seen < pixels * 9 / 10));
+    }
+
+    /// Some reach to where nothing is near, some are in front of others, and some end in view.
+    #[test]
+    fn planes_that_a_line_runs_along_end_where_they_do_for_any_ray() {
+        let mut rng = Rng::with_seed(9);
+        let mut seen = 0;
+        for _ in 0..SCENES {
+            let materials = materials(&mut rng);
+            let objects: Vec<_> = (0..rng.u16(1..4))
+                .map(|n| {
+                    let reach = 10_f64.powf(3.0 * rng.f64());
+                    let mut bound = || {
+                        let low = real(&mut rng, -reach, reach);
+                        let high = low + real(&mut rng, 0.0, reach);
+                        rng.bool().then_some([low, high])
+                    };
+                    let bounds = Bounds {
+                        x: bound(),
+                        y: None,
+                        z: bound(),
+                    };
+                    let shape = Shape::Plane {
+                        normal: Vec3::new(0, 1, 0).map(Real::from_num),
+                        point: point(&mut rng, 1.0),
+                        bounds,
+                    };
+                    let texture = Texture::Uniform(MaterialId(n));
+                    Object { shape, texture }
+                })
+                .collect();
+            let camera = Camera::new(
+                point(&mut rng, 2.0),
+                point(&mut rng, 2.0),
+                real(&mut rng, 20.0, 120.0),
+            );
+            seen += covered(&scene(camera, &objects, &materials), [48, 64]);
+        }
+        println!("{seen} pixels covered");
+        assert!(seen > 300 * SCENES as usize);
     }
 
     /// Balls side by side, and a wall behind them, for which there may be no room left.

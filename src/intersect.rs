@@ -18,7 +18,7 @@ pub(crate) struct Hit {
     /// The object's number.
     pub(crate) object: u16,
     /// Whether both the ray's origin and the surface are near.
-    is_near: bool,
+    pub(crate) is_near: bool,
     /// How far the surface is from the origin if so; else, if it is finite, from where the ray
     /// is [`Ray::approaching`].
     distance: Length,

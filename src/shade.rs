@@ -65,13 +65,31 @@ impl<'s> Surface<'s> {
     /// Moves the ray on to what it hits.
     #[inline(always)]
     pub(crate) fn meet(&mut self, scene: &PreparedScene<'s>, hit: Hit, part: &Part) {
+        self.meet_if_there(scene, hit, part, true);
+    }
+
+    /// The same for a hit of which it may not be sure that the plane reaches there; false if
+    /// it does not.
+    #[inline(always)]
+    pub(crate) fn meet_if_there(
+        &mut self,
+        scene: &PreparedScene<'s>,
+        hit: Hit,
+        part: &Part,
+        is_sure: bool,
+    ) -> bool {
         let object = scene.object(hit.object);
         let ray = &mut self.ray;
         hit.reach(object, ray);
         let mut path = 0;
         let normal = match &object.shape {
             Shape::Sphere(sphere) => sphere.normal(ray.origin.coordinates),
-            Shape::Plane(plane) => plane.normal,
+            Shape::Plane(plane) => {
+                if !is_sure && !plane.covers(&ray.origin) {
+                    return false;
+                }
+                plane.normal
+            }
             Shape::Quadric(quadric) => quadric.normal(ray.origin),
             Shape::Sphereflake(_) => {
                 path = part.path;
@@ -88,6 +106,7 @@ impl<'s> Surface<'s> {
         self.normal = if inward { -normal } else { normal };
         self.cosine = cosine.abs();
         self.material = scene.material(object.texture.material(&ray.origin));
+        true
     }
 
     /// The object's number.

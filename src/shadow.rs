@@ -242,6 +242,6 @@ impl ShadowRay<'_> {
         } else {
             ray.far_at(plane.unbounded_distance(ray)?)
         };
-        plane.covers(point).then_some(point)
+        plane.covers(&point).then_some(point)
     }
 }

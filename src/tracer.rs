@@ -5,7 +5,7 @@ use heapless::{Vec, VecView};
 use crate::coverage::Candidates;
 use crate::intersect::{self, Part};
 use crate::num::{Factor, Product, Radiance, Unit, Weight};
-use crate::observer::{Node, Observer, RayKind, weight};
+use crate::observer::{Node, Observer, RayKind, ShapeKind, weight};
 use crate::prepared::{MAX_DEPTH, PreparedScene, Settings};
 use crate::ray::{Point, Ray, Start};
 use crate::shade::{Shares, Surface};
@@ -74,7 +74,7 @@ const FEW: usize = 8;
 pub(crate) fn trace(
     scene: &PreparedScene<'_>,
     direction: Vec3<Unit>,
-    candidates: &Candidates,
+    candidates: &mut Candidates,
     part: &mut Part,
     observer: &mut impl Observer,
 ) -> Color<Radiance> {
@@ -100,22 +100,32 @@ pub(crate) fn trace(
 fn look(
     scene: &PreparedScene<'_>,
     ray: Ray,
-    candidates: &Candidates,
+    candidates: &mut Candidates,
     part: &mut Part,
     observer: &mut impl Observer,
 ) -> Color<Radiance> {
     let surface = &mut Surface::ahead_of(ray);
-    if !candidates.are_flat {
-        surface.make_unit();
-    }
-    let hit = match candidates.objects() {
-        Some(objects) => intersect::nearest_of(objects, scene, surface.ray(), part, observer),
-        None => intersect::nearest_of_many(scene, surface.ray(), part, observer),
+    let known = candidates.met;
+    let hit = if let Some(hit) = known {
+        hit
+    } else {
+        if !candidates.are_flat {
+            surface.make_unit();
+        }
+        let hit = match candidates.objects() {
+            Some(objects) => intersect::nearest_of(objects, scene, surface.ray(), part, observer),
+            None => intersect::nearest_of_many(scene, surface.ray(), part, observer),
+        };
+        let Some(hit) = hit else {
+            return missed(scene, surface.ray().direction, candidates, observer);
+        };
+        candidates.keep(hit);
+        hit
     };
-    let Some(hit) = hit else {
+    if !surface.meet_if_there(scene, hit, part, known.is_none()) {
+        observer.test(ShapeKind::Plane, false);
         return missed(scene, surface.ray().direction, candidates, observer);
-    };
-    surface.meet(scene, hit, part);
+    }
     if candidates.are_flat && !surface.is_matte() {
         surface.look_closely();
     }

@@ -37,9 +37,9 @@ impl Bounds {
     };
 
     #[inline(never)]
-    pub(crate) fn contain(&self, point: Point) -> bool {
+    pub(crate) fn contain(&self, point: &Point) -> bool {
         if !point.is_near() {
-            return self.contain_far(point);
+            return self.contain_far(*point);
         }
         self.contain_near(point.coordinates)
     }
@@ -216,14 +216,14 @@ impl Plane {
         let is_there = match &self.bounds {
             None => true,
             Some(bounds) if self.is_near => bounds.contain_near(ray.near_at(distance)),
-            Some(bounds) => bounds.contain(ray.at(distance)),
+            Some(bounds) => bounds.contain(&ray.at(distance)),
         };
         is_there.then_some(distance)
     }
 
     /// Whether a point of the plane is within its bounds.
     #[inline]
-    pub(crate) fn covers(&self, point: Point) -> bool {
+    pub(crate) fn covers(&self, point: &Point) -> bool {
         self.bounds
             .as_ref()
             .is_none_or(|bounds| bounds.contain(point))
@@ -233,7 +233,7 @@ impl Plane {
     #[cold]
     pub(crate) fn far_distance(&self, ray: &Ray) -> Option<Scaled> {
         self.unbounded_distance(ray)
-            .filter(|distance| self.bounds.is_none() || self.covers(ray.far_at(*distance)))
+            .filter(|distance| self.bounds.is_none() || self.covers(&ray.far_at(*distance)))
     }
 
     /// The same, without regard to bounds.
@@ -389,7 +389,7 @@ mod tests {
         };
         let contains = |x, y, z, shift| {
             let coordinates = Vec3::new(x, y, z).map(length);
-            bounds.contain(Point { coordinates, shift })
+            bounds.contain(&Point { coordinates, shift })
         };
         for (x, is_within) in [(-102, false), (-101, true), (51, true), (52, false)] {
             assert_eq!(contains(x, 0, 8, 0), is_within, "x {x}");

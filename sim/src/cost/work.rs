@@ -49,6 +49,7 @@ items! {
     SphereBetween: "sphere_between", "a sphere, looked at by a shadow ray";
     EyePlanePassed: "eye_plane_passed", "a plane that an eye ray passes by";
     EyePlaneMet: "eye_plane_met", "a plane in the way of an eye ray";
+    EyePlaneKept: "eye_plane_kept", "a plane that an eye ray meets as the one before it did";
     PlanePassed: "plane_passed", "a plane that a secondary ray passes by";
     PlaneMet: "plane_met", "a plane in the way of a secondary ray";
     PlaneBetween: "plane_between", "a plane, looked at by a shadow ray";
@@ -79,6 +80,8 @@ pub struct Work {
     is_gradient: bool,
     /// The ray that is under way.
     ray: Option<RayKind>,
+    /// Whether the last eye ray was tested against anything.
+    is_tested: bool,
 }
 
 /// A material, as far as rays meet it.
@@ -131,7 +134,10 @@ impl Observer for Work {
         self.stats.ray(kind);
         self.ray = Some(kind);
         match kind {
-            RayKind::Eye => self.count(Place::Eye),
+            RayKind::Eye => {
+                self.count(Place::Eye);
+                self.is_tested = false;
+            }
             RayKind::Reflected => self.count(Place::Secondary),
             RayKind::Transmitted => {
                 self.count(Place::Secondary);
@@ -144,6 +150,7 @@ impl Observer for Work {
     fn test(&mut self, shape: ShapeKind, met: bool) {
         use Place::*;
         self.stats.test(shape, met);
+        self.is_tested |= self.ray == Some(RayKind::Eye);
         let (test, way) = match (shape, self.ray, met) {
             (ShapeKind::Sphere, Some(RayKind::Eye), true) => (EyeSphereMet, None),
             (ShapeKind::Sphere, Some(RayKind::Eye), false) => (EyeSpherePassed, None),
@@ -201,6 +208,9 @@ impl Observer for Work {
             self.is_gradient |= node.local != first;
             return;
         };
+        if node.kind == RayKind::Eye && !self.is_tested {
+            self.count(Place::EyePlaneKept);
+        }
         let met = self.met.entry(material).or_default();
         met.visible += u64::from(node.local != Color::default());
         met.is_lit |= self.ray == Some(RayKind::Shadow);
@@ -232,6 +242,10 @@ mod tests {
         // No line looks above the horizon for an endless floor, but any for one with edges.
         assert_eq!(of("emission_ambient", Place::EyePlanePassed)?, 0);
         assert!(of("bouncing_ball", Place::EyePlanePassed)? > 100);
+        // One ray of a line finds out how far a floor is, and of each part of a line beside a ball.
+        let met = of("emission_ambient", Place::EyePlaneMet)?;
+        let kept = of("emission_ambient", Place::EyePlaneKept)?;
+        assert!(met > 0 && kept > met, "{met} and {kept}");
         // Nothing hides what is seen from within a room, and nothing is mirrored elsewhere.
         assert_eq!(of("room", Place::PlaneHides)?, 0);
         assert!(of("room", Place::PlaneBetween)? > 100);

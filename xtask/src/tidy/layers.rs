@@ -17,11 +17,11 @@ const LAYERS: &[&str] = &[
     // What a person writes down.
     "error", "scene", "animation",
     // What is traced, scaled.
-    "observer", "ray", "texture", "shape", "prepared", "acceleration", "camera", "coverage",
+    "observer", "ray", "texture", "shape", "prepared", "acceleration", "camera",
     // From the one to the other.
     "prepare", "compiled", "buffer",
     // Nearest hit, local light, the tree of rays.
-    "intersect", "shadow", "shade", "tracer", "raster",
+    "intersect", "coverage", "shadow", "shade", "tracer", "raster",
     // Colors to pixels, lines to displays.
     "output", "pixel", "drawing", "renderer", "changes", "antialias",
 ];
