@@ -48,7 +48,8 @@ pub trait Observer {
 
     /// The ray that was told of last was tested against an object whose bound
     /// it meets; `met` if the surface is in its way. Objects that it passes by
-    /// are not told of, those looked for near and far are told of twice.
+    /// are not told of, nor is a plane of which the ray before it tells how far
+    /// it is; those looked for near and far are told of twice.
     #[inline(always)]
     fn test(&mut self, shape: ShapeKind, met: bool) {
         let _ = (shape, met);
