@@ -181,8 +181,17 @@ fn an_observer_is_told_of_every_ray() {
     assert_eq!(stats.eye, 16 * 8);
     assert!(stats.reflected > 0 && stats.shadow > stats.eye / 2);
     assert_eq!(stats.transmitted, 0);
-    let rays = u64::from(stats.eye + stats.reflected + stats.shadow);
-    assert!((rays / 2..2 * rays).contains(&stats.intersections));
+
+    // In a line a pixel learns from the one before how far the floor is.
+    let mut renderer = Renderer::with_observer(&scene, Size::new(16, 8), Stats::default());
+    for (x, y) in (0..8).flat_map(|y| (0..16).map(move |x| (x, y))) {
+        renderer.pixel(x, y);
+    }
+    let alone = *renderer.observer();
+    let rays = |stats: Stats| u64::from(stats.eye + stats.reflected + stats.shadow);
+    assert_eq!(rays(stats), rays(alone));
+    assert!((rays(alone) / 2..2 * rays(alone)).contains(&alone.intersections));
+    assert!(stats.intersections < alone.intersections);
 
     let mut renderer = Renderer::with_observer(&scene, Size::new(16, 8), Deepest::default());
     (0..8).for_each(|y| renderer.line(y).for_each(drop));
