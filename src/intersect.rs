@@ -113,7 +113,7 @@ pub(crate) fn nearest_of_many(
     observer.bounds(scene.groups.len() as u32);
     for (group, members) in scene.groups.iter().zip(scene.finite.chunks(GROUP)) {
         if group.may_meet(origin, direction) {
-            nearest.meet_finite(members, left, observer);
+            nearest.meet_group(members, left, observer);
         }
     }
     for &object in scene.endless {
@@ -176,6 +176,12 @@ impl<'r> Nearest<'r> {
                 self.meet(around.object, observer);
             }
         }
+    }
+
+    /// The same for those of many.
+    #[inline(never)]
+    fn meet_group(&mut self, objects: &[Around], left: u16, observer: &mut impl Observer) {
+        self.meet_finite(objects, left, observer);
     }
 
     /// Looks at an object.
@@ -316,7 +322,7 @@ fn nearest_from_far(
     let endless = nearest_endless(scene, ray, observer);
     let finite = ray.approaching().and_then(|(ray, skipped)| {
         let mut nearest = Nearest::new(scene, &ray, part);
-        nearest.meet_finite(scene.finite, ray.start.left, observer);
+        nearest.meet_group(scene.finite, ray.start.left, observer);
         let distance = i64::from(nearest.limit.to_bits()) + skipped;
         let hit = nearest.hit(observer)?;
         let is_near = false;

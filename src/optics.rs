@@ -10,7 +10,7 @@ use crate::vector::{round_unit, scaled};
 /// `normal` faces the ray and `cosine` is `-V · n`, not negative.
 #[inline]
 pub(crate) fn mirrored(view: Vec3<Unit>, normal: Vec3<Unit>, cosine: Unit) -> Vec3<Unit> {
-    let turn = scaled::<29>(normal, cosine.to_bits());
+    let turn = scaled::<29>(normal.map(Unit::to_bits), cosine.to_bits());
     view.zip(turn.map(Unit::from_bits), Unit::wrapping_add)
         .renormalized()
 }

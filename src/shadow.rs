@@ -123,8 +123,11 @@ impl ShadowRay<'_> {
                 Some(u8::from(entry) + u8::from(exit && !is_start))
             }
             Shape::Plane(plane) => {
-                let is_between = plane.is_between(light, self.ray.origin, self.ray.direction);
-                (!is_between || plane.bounds.is_none()).then_some(is_between.into())
+                let sides = plane.sides(light, self.ray.origin, self.ray.direction);
+                let crossing = sides.filter(|sides| {
+                    plane.bounds.is_none() || self.of_plane(plane, *sides).is_some()
+                });
+                Some(crossing.is_some().into())
             }
             Shape::Sphereflake(flake) if is_opaque => {
                 let from = is_start.then_some(self.ray.start);
@@ -191,7 +194,8 @@ fn filtered(
         Shape::Sphere(sphere) => shadow.of_sphere(sphere, &ray, is_start),
         Shape::Quadric(quadric) => shadow.of_quadric(quadric, &mut ray, is_start),
         Shape::Plane(plane) => {
-            if let Some(point) = shadow.of_plane(plane, &ray) {
+            let sides = [Point::near(shadow.light.position), shadow.ray.origin];
+            if let Some(point) = shadow.of_plane(plane, sides.map(|side| plane.depth(side))) {
                 pass(point);
             }
             return left;
@@ -236,12 +240,17 @@ impl ShadowRay<'_> {
         quadric.crossings(ray, is_start.then_some(self.ray.start.inward))
     }
 
-    fn of_plane(&self, plane: &Plane, ray: &Ray) -> Option<Point> {
-        let point = if plane.may_hold(self.ray.origin) {
-            self.ray.origin
+    #[inline(never)]
+    fn of_plane(&self, plane: &Plane, sides: [i64; 2]) -> Option<Point> {
+        let (light, point) = (self.light.position, self.ray.origin);
+        let crossing = if point.is_near() {
+            Point::near(plane.crossing(light, -self.way, sides))
+        } else if Plane::may_hold(sides[1]) {
+            point
         } else {
-            ray.far_at(plane.unbounded_distance(ray)?)
+            let ray = self.beam();
+            ray.far_at(plane.unbounded_distance(&ray)?)
         };
-        plane.covers(&point).then_some(point)
+        plane.covers(&crossing).then_some(crossing)
     }
 }

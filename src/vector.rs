@@ -185,7 +185,7 @@ impl Vec3<Unit> {
     /// This direction, `distance` long: `I2F30 * I4F28 -> I4F28`, rounded.
     #[inline(always)]
     pub(crate) fn times(self, distance: Length) -> Vec3<Length> {
-        scaled::<30>(self, distance.to_bits()).map(Length::from_bits)
+        scaled::<30>(self.map(Unit::to_bits), distance.to_bits()).map(Length::from_bits)
     }
 
     /// The unit vector along it; its length must be below 2.
@@ -222,9 +222,8 @@ impl Vec3<Unit> {
 
 /// A vector times a number, over 2^`SHIFT`, rounded.
 #[inline(always)]
-pub(crate) fn scaled<const SHIFT: u32>(v: Vec3<Unit>, by: i32) -> Vec3<i32> {
-    let Vec3 { x, y, z } = v.map(Unit::to_bits);
-    let [x, y, z] = long_multiply::scaled::<SHIFT>([x, y, z], by);
+pub(crate) fn scaled<const SHIFT: u32>(v: Vec3<i32>, by: i32) -> Vec3<i32> {
+    let [x, y, z] = long_multiply::scaled::<SHIFT>([v.x, v.y, v.z], by);
     Vec3::new(x, y, z)
 }
 
