@@ -6,7 +6,7 @@
 
 use crate::num::rare::to_bits;
 use crate::num::{Factor, InverseLength, Length, Scaled, Unit, Weight};
-use crate::observer::{Observer, RayKind};
+use crate::observer::{Observer, RayKind, ShapeKind};
 use crate::prepared::{Light, Object, PreparedScene};
 use crate::ray::{Nature, Point, Ray, Start};
 use crate::shape::{Plane, Quadric, Shape, Sphere, narrowed};
@@ -92,6 +92,12 @@ impl ShadowRay<'_> {
             observer.test(object.shape.kind(), true);
             return false;
         }
+        // A board: whether it reaches to where it is crossed is not known yet.
+        if is_opaque && let Shape::Plane(plane) = &object.shape {
+            let is_crossed = self.of_plane(plane).is_some();
+            observer.test(ShapeKind::Plane, is_crossed);
+            return !is_crossed;
+        }
         let before = left.unwrap_or(Color::WHITE);
         let rest = match (crossings, kt) {
             (Some(crossings), Some(kt)) => {
@@ -123,11 +129,8 @@ impl ShadowRay<'_> {
                 Some(u8::from(entry) + u8::from(exit && !is_start))
             }
             Shape::Plane(plane) => {
-                let sides = plane.sides(light, self.ray.origin, self.ray.direction);
-                let crossing = sides.filter(|sides| {
-                    plane.bounds.is_none() || self.of_plane(plane, *sides).is_some()
-                });
-                Some(crossing.is_some().into())
+                let is_between = plane.is_between(light, self.ray.origin, self.ray.direction);
+                (!is_between || plane.bounds.is_none()).then_some(is_between.into())
             }
             Shape::Sphereflake(flake) if is_opaque => {
                 let from = is_start.then_some(self.ray.start);
@@ -194,8 +197,7 @@ fn filtered(
         Shape::Sphere(sphere) => shadow.of_sphere(sphere, &ray, is_start),
         Shape::Quadric(quadric) => shadow.of_quadric(quadric, &mut ray, is_start),
         Shape::Plane(plane) => {
-            let sides = [Point::near(shadow.light.position), shadow.ray.origin];
-            if let Some(point) = shadow.of_plane(plane, sides.map(|side| plane.depth(side))) {
+            if let Some(point) = shadow.of_plane(plane) {
                 pass(point);
             }
             return left;
@@ -240,9 +242,11 @@ impl ShadowRay<'_> {
         quadric.crossings(ray, is_start.then_some(self.ray.start.inward))
     }
 
+    /// Of a plane that is between the light and the point.
     #[inline(never)]
-    fn of_plane(&self, plane: &Plane, sides: [i64; 2]) -> Option<Point> {
+    fn of_plane(&self, plane: &Plane) -> Option<Point> {
         let (light, point) = (self.light.position, self.ray.origin);
+        let sides = [Point::near(light), point].map(|side| plane.depth(side));
         let crossing = if point.is_near() {
             Point::near(plane.crossing(light, -self.way, sides))
         } else if Plane::may_hold(sides[1]) {

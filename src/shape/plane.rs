@@ -149,26 +149,19 @@ impl Plane {
         depth.abs() <= ROUNDING
     }
 
-    /// How far a light is behind the plane and how far a point is, if they are on different
-    /// sides: no distance is needed to know.
+    /// Whether a light and a point are on different sides: no distance is
+    /// needed to know.
     ///
     /// A point in a corner of walls is on the side of each that it is seen
     /// from, by a ray in the direction of `view`.
     #[inline]
-    pub(crate) fn sides(
-        &self,
-        light: Vec3<Length>,
-        point: Point,
-        view: Vec3<Unit>,
-    ) -> Option<[i64; 2]> {
+    pub(crate) fn is_between(&self, light: Vec3<Length>, point: Point, view: Vec3<Unit>) -> bool {
         let from = self.depth_inlined(Point::near(light));
         let to = self.depth_inlined(point);
-        let are_different = if Self::may_hold(to) {
-            self.is_seen_from_beyond(from, view)
-        } else {
-            from ^ to < 0 && from != 0
-        };
-        are_different.then_some([from, to])
+        if Self::may_hold(to) {
+            return self.is_seen_from_beyond(from, view);
+        }
+        from ^ to < 0 && from != 0
     }
 
     #[cold]
@@ -226,7 +219,8 @@ impl Plane {
         is_there.then_some(distance)
     }
 
-    /// Where the way from a light to a near point crosses the plane, on whose sides they are.
+    /// Where the way from a light to a near point crosses the plane, given how far behind it
+    /// they are, on different sides.
     #[inline]
     pub(crate) fn crossing(
         &self,
@@ -403,10 +397,11 @@ mod tests {
             };
             let offset = i64::from(Length::from_num(2.0 * random.f64() - 1.0).to_bits());
             let plane = Plane::new(normal, offset, None);
-            let Some(sides) = plane.sides(light, Point::near(point), normal) else {
+            if !plane.is_between(light, Point::near(point), normal) {
                 continue;
-            };
+            }
             crossed += 1;
+            let sides = [light, point].map(|side| plane.depth(Point::near(side)));
             let crossing = plane.crossing(light, point - light, sides);
             let [from, to] = sides.map(|side| side.abs() as f64);
             for (c, (light, point)) in [crossing.x, crossing.y, crossing.z].into_iter().zip([
