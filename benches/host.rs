@@ -1,5 +1,5 @@
 //! `cargo bench`: the library next to the tests' plain tracer in `f32`, the same
-//! that `boards/float` counts, on the machine that this runs on.
+//! that `tests/rigs/float` counts, on the machine that this runs on.
 //!
 //! Both draw the same frames of `Rgb565` line by line, on one thread, from
 //! scenes that are ready to be traced. No test depends on a time.

@@ -13,9 +13,9 @@ use std::task::{Context, Poll, Waker};
 use embedded_graphics::mock_display::MockDisplay;
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::prelude::*;
+use whitted::render::{RenderProgress, Step};
 use whitted::{
-    Camera, Color, Drawing, Light, Material, MaterialId, Object, Real, Renderer, Scene,
-    SceneBuffer, Step, Vec3,
+    Camera, Color, Light, Material, MaterialId, Object, Real, Renderer, Scene, SceneBuffer, Vec3,
 };
 
 static SCENE: Scene = Scene {
@@ -42,12 +42,12 @@ static SCENE: Scene = Scene {
 /// Draws on until the picture is complete.
 async fn draw<D>(
     renderer: &mut Renderer<'_>,
-    mut drawing: Drawing,
+    mut drawing: RenderProgress,
     display: &mut D,
 ) -> Result<(), D::Error>
 where
     D: DrawTarget,
-    D::Color: whitted::Pixel,
+    D::Color: whitted::render::DisplayColor,
 {
     while !drawing.is_complete() {
         renderer.step(&mut drawing, Step::Rays(500), display)?;
@@ -75,7 +75,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut renderer = Renderer::new(&scene, display.size());
 
     let is_dark = Cell::new(true);
-    let drawing = Drawing::progressive(display.bounding_box());
+    let drawing = RenderProgress::progressive(display.bounding_box());
     let picture = async {
         let Ok(()): Result<(), Infallible> = draw(&mut renderer, drawing, &mut display).await;
         is_dark.set(false);

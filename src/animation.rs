@@ -3,25 +3,27 @@
 //! Time is in seconds, all arithmetic in fixed point, so a frame is the same on
 //! every target. Orbits alone take sines, from `angle`.
 
-mod curve;
+mod animated_scene;
 mod error;
-mod stage;
+mod keyframe;
 
-pub use curve::{Interpolation, Key};
+pub use animated_scene::AnimatedScene;
 pub use error::{AnimationError, AnimationProblem};
-pub use stage::Stage;
+pub use keyframe::{Interpolation, Keyframe};
 
-use crate::{Camera, Color, Light, Object, Real, Scene, Vec3};
+use crate::math::{Color, Real, Vec3};
+use crate::scene::{Camera, Light, Object, Scene};
 
 /// The longest animation, in seconds: 2^24, half a year.
 const LONGEST: Real = Real::lit("16777216");
 
 /// How a scene moves.
 ///
-/// A [`Stage`] has the room to apply it to a scene.
+/// A [`AnimatedScene`] has the room to apply it to a scene.
 ///
 /// ```
-/// use whitted::{Animation, Interpolation, Key, Real, Target, Track};
+/// use whitted::{Keyframe, Real};
+/// use whitted::animation::{Animation, Interpolation, Target, Track};
 ///
 /// static ONCE_AROUND: Animation = Animation {
 ///     duration: Real::lit("4"),
@@ -30,13 +32,13 @@ const LONGEST: Real = Real::lit("16777216");
 ///         Track {
 ///             target: Target::CameraOrbit,
 ///             interpolation: Interpolation::Linear,
-///             keys: &[Key::angles("0", "0", "0"), Key::angles("4", "360", "0")],
+///             keys: &[Keyframe::angles("0", "0", "0"), Keyframe::angles("4", "360", "0")],
 ///         },
 ///         // Thrown up by 2 and caught: a parabola.
 ///         Track {
 ///             target: Target::ObjectPosition(1),
 ///             interpolation: Interpolation::Smooth,
-///             keys: &[Key::vector("0", "0", "1", "0"), Key::vector("2", "0", "3", "0"), Key::vector("4", "0", "1", "0")],
+///             keys: &[Keyframe::vector("0", "0", "1", "0"), Keyframe::vector("2", "0", "3", "0"), Keyframe::vector("4", "0", "1", "0")],
 ///         },
 ///     ],
 /// };
@@ -60,7 +62,7 @@ pub struct Track<'a> {
     pub interpolation: Interpolation,
     /// Where it is when. Before the first key it is where that says, after the last
     /// where that says.
-    pub keys: &'a [Key],
+    pub keys: &'a [Keyframe],
 }
 
 /// What a track moves. Objects and lights are numbered from 0.
@@ -88,7 +90,7 @@ pub enum Target {
 
 impl Animation<'_> {
     /// A scene's camera as it has moved at a time, in seconds; the first part of what a
-    /// [`Stage`] does, for
+    /// [`AnimatedScene`] does, for
     /// [`PreparedScene::set_camera`](crate::PreparedScene::set_camera).
     ///
     /// # Errors
@@ -164,7 +166,7 @@ impl Animation<'_> {
 
     fn value(&self, track: &Track<'_>, time: Real) -> Vec3<Real> {
         let period = self.looping.then_some(self.duration);
-        curve::value(track.keys, track.interpolation, period, time)
+        keyframe::value(track.keys, track.interpolation, period, time)
     }
 
     /// Checks all that can be known without a scene.
@@ -173,12 +175,12 @@ impl Animation<'_> {
             return Err(AnimationProblem::Duration.of_all());
         }
         for (track, index) in self.tracks.iter().zip(0..) {
-            curve::check(track.keys, self.duration).map_err(|problem| problem.of(index))?;
+            keyframe::check(track.keys, self.duration).map_err(|problem| problem.of(index))?;
         }
         Ok(())
     }
 
-    /// Checks the animation of a scene; a [`Stage`] does so for each frame.
+    /// Checks the animation of a scene; a [`AnimatedScene`] does so for each frame.
     ///
     /// # Errors
     /// The first track that cannot be, and what is wrong with it.

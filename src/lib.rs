@@ -36,62 +36,28 @@
 //! `raster`, `pixel`, `drawing`, `renderer`, `changes`. `num` has the formats, docs/fixed-point.md why they are
 //! so.
 
-mod acceleration;
-mod angle;
-mod animation;
-mod antialias;
-mod budget;
-mod buffer;
-mod camera;
-mod changes;
-mod checksum;
-mod color;
-mod compiled;
-mod coverage;
-mod drawing;
-mod error;
-mod exact;
-mod intersect;
-mod num;
-mod observer;
-mod optics;
-mod output;
-mod pixel;
+pub mod animation;
+mod archive;
+pub mod codec;
+mod geometry;
+mod math;
+pub mod observer;
 mod prepare;
-mod prepared;
-mod raster;
-mod ray;
-mod renderer;
-mod scene;
-mod shade;
-mod shadow;
-mod shape;
-mod texture;
-mod tracer;
-mod vector;
+pub mod render;
+pub mod scene;
+mod scene_buffer;
+#[cfg(test)]
+mod tests;
+mod trace;
 
-pub use animation::{
-    Animation, AnimationError, AnimationProblem, Interpolation, Key, Stage, Target, Track,
-};
-pub use antialias::{AntialiasError, Antialiased, Sample, Samples};
-pub use buffer::SceneBuffer;
-pub use changes::Changes;
-pub use checksum::Crc32;
-pub use color::Color;
-pub use compiled::counts;
-pub use drawing::{Drawing, Step};
-pub use error::{DecodeError, Item, Problem, SceneError};
-pub use num::{Radiance, Real};
-pub use observer::{Node, Observer, RayKind, ShapeKind, Stats};
-pub use output::{Dither, Output, Transfer};
-pub use pixel::Pixel;
-pub use prepared::PreparedScene;
-pub use renderer::Renderer;
+pub use codec::DecodeError;
+pub use math::{Color, Radiance, Real, Vec3};
+pub use prepare::PreparedScene;
+pub use render::Renderer;
 pub use scene::{
-    Axis, Background, Bounds, Camera, Light, Material, MaterialId, Object, Scene, SceneBuilder,
-    Shading, Shape, Texture, ior,
+    Background, Camera, Light, Material, MaterialId, Object, Scene, SceneError, Shape, Texture,
 };
-pub use vector::Vec3;
+pub use scene_buffer::SceneBuffer;
 
 /// Runs the code in README.md.
 #[cfg(doctest)]

@@ -1,13 +1,12 @@
 //! Watching rays without paying for it when nobody does.
 
-use crate::num::{Factor, Radiance, Weight};
-use crate::{Color, Real};
+use crate::math::{Color, Factor, Radiance, Real, Weight};
 
 /// What kind of ray is traced.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RayKind {
     /// From the eye through a pixel.
-    Eye,
+    Camera,
     /// Mirrored at a surface.
     Reflected,
     /// Through a surface.
@@ -55,29 +54,6 @@ pub trait Observer {
         let _ = (shape, met);
     }
 
-    /// The ray that was told of last is tested against the bounds of so many objects, or of
-    /// groups of them; a shadow ray that something opaque stops, against so many at most.
-    #[inline(always)]
-    fn bounds(&mut self, count: u32) {
-        let _ = count;
-    }
-
-    /// Before the first ray of a line, a finite object was looked for in it; `seen` if some
-    /// of its rays may meet the object.
-    #[inline(always)]
-    fn outline(&mut self, seen: bool) {
-        let _ = seen;
-    }
-
-    /// A sphere of a sphereflake was visited; the test that it belongs to is
-    /// told of after all its spheres.
-    #[inline(always)]
-    fn sphere(&mut self) {}
-
-    /// A highlight of a light was computed: a cosine raised to the shininess.
-    #[inline(always)]
-    fn highlight(&mut self) {}
-
     /// A shadow ray from a light, by its number, reached the surface: what the
     /// surfaces on its way left of the light, or `None` if one is opaque. There is
     /// none where the light would not be seen. The node of that surface is told of
@@ -91,14 +67,14 @@ pub trait Observer {
     /// order of the tree: a node, all that follows from its reflected ray, all
     /// that follows from its transmitted one.
     #[inline(always)]
-    fn node(&mut self, node: &Node) {
+    fn node(&mut self, node: &RayNode) {
         let _ = node;
     }
 }
 
 /// A node of the tree of rays: where a ray ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Node {
+pub struct RayNode {
     /// What kind of ray led here.
     pub kind: RayKind,
     /// How many surfaces the light met between here and the eye: 0 for the eye ray.
@@ -129,9 +105,9 @@ pub(crate) fn weight(weight: Color<Weight>) -> Color<Real> {
 impl Observer for () {}
 
 /// Tells two observers of everything.
-pub(crate) struct Both<'o, A, B>(pub(crate) &'o mut A, pub(crate) &'o mut B);
+pub(crate) struct Pair<'o, A, B>(pub(crate) &'o mut A, pub(crate) &'o mut B);
 
-impl<A: Observer, B: Observer> Observer for Both<'_, A, B> {
+impl<A: Observer, B: Observer> Observer for Pair<'_, A, B> {
     #[inline(always)]
     fn ray(&mut self, kind: RayKind) {
         self.0.ray(kind);
@@ -145,37 +121,13 @@ impl<A: Observer, B: Observer> Observer for Both<'_, A, B> {
     }
 
     #[inline(always)]
-    fn bounds(&mut self, count: u32) {
-        self.0.bounds(count);
-        self.1.bounds(count);
-    }
-
-    #[inline(always)]
-    fn outline(&mut self, seen: bool) {
-        self.0.outline(seen);
-        self.1.outline(seen);
-    }
-
-    #[inline(always)]
-    fn sphere(&mut self) {
-        self.0.sphere();
-        self.1.sphere();
-    }
-
-    #[inline(always)]
-    fn highlight(&mut self) {
-        self.0.highlight();
-        self.1.highlight();
-    }
-
-    #[inline(always)]
     fn shadow(&mut self, light: u16, left: Option<Color<Real>>) {
         self.0.shadow(light, left);
         self.1.shadow(light, left);
     }
 
     #[inline(always)]
-    fn node(&mut self, node: &Node) {
+    fn node(&mut self, node: &RayNode) {
         self.0.node(node);
         self.1.node(node);
     }
@@ -196,7 +148,7 @@ impl Observer for Rays {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Stats {
     /// Rays from the eye.
-    pub eye: u32,
+    pub camera: u32,
     /// Reflected rays.
     pub reflected: u32,
     /// Transmitted rays.
@@ -211,7 +163,7 @@ impl Observer for Stats {
     #[inline]
     fn ray(&mut self, kind: RayKind) {
         let counter = match kind {
-            RayKind::Eye => &mut self.eye,
+            RayKind::Camera => &mut self.camera,
             RayKind::Reflected => &mut self.reflected,
             RayKind::Transmitted => &mut self.transmitted,
             RayKind::Shadow => &mut self.shadow,

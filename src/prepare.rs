@@ -4,28 +4,32 @@
 //! first, over the whole scene; what is left to check then depends on the
 //! scale.
 
-mod check;
-mod frame;
-mod range;
+pub(crate) mod culling;
+mod prepared_scene;
 mod shape;
-mod trigonometry;
+mod validate;
 
-pub(crate) use check::{max_depth, min_weight};
+pub use prepared_scene::PreparedScene;
+pub(crate) use prepared_scene::{
+    Camera, Light, LightCones, MAX_DEPTH, Material, Object, SceneSink, Settings,
+};
+pub(crate) use validate::{max_depth, min_weight};
 
-use crate::num::{Length, factor, radiance, reciprocal, weight};
-use crate::prepared::{Camera, Frame, Light, Material, Object, Room, Settings};
-use crate::scene::{self, Background};
-use crate::texture::{Checker, Texture};
-use crate::vector::direction;
-use crate::{Axis, Color, Item, Problem, Real, Scene, SceneError, Shading};
+use crate::geometry::{Checker, Normalization, Texture};
+use crate::math::{Color, Length, Real, direction, factor, radiance, reciprocal, weight};
+use crate::scene;
+use crate::scene::{Axis, Background, Scene, SceneError, SceneItem, SceneProblem, SpecularModel};
 
 use shape::shape;
 
 /// Prepares a scene into `room`.
-pub(crate) fn prepare(scene: &Scene<'_>, room: &mut impl Room) -> Result<Settings, SceneError> {
+pub(crate) fn prepare(
+    scene: &Scene<'_>,
+    room: &mut impl SceneSink,
+) -> Result<Settings, SceneError> {
     room.clear();
-    check::scene(scene)?;
-    let frame = Frame::new(scene);
+    validate::scene(scene)?;
+    let frame = Normalization::new(scene);
     let exposure = exposure(scene);
     let camera = camera(&scene.camera, &frame)?;
     let intensity = |color: Color<Real>| color.map(|c| factor(c, exposure));
@@ -42,8 +46,8 @@ pub(crate) fn prepare(scene: &Scene<'_>, room: &mut impl Room) -> Result<Setting
     }
     for (object, index) in scene.objects.iter().zip(0..) {
         room.push_object(Object::new(
-            shape(&object.shape, &frame, Item::Object(index))?,
-            texture(&object.texture, &frame, Item::Object(index))?,
+            shape(&object.shape, &frame, SceneItem::Object(index))?,
+            texture(&object.texture, &frame, SceneItem::Object(index))?,
         ))?;
     }
     let (horizon, zenith) = match scene.background {
@@ -66,44 +70,53 @@ pub(crate) fn prepare(scene: &Scene<'_>, room: &mut impl Room) -> Result<Setting
 }
 
 /// Brings another camera to the scale of a prepared scene.
-pub(crate) fn moved_camera(camera: &scene::Camera, frame: &Frame) -> Result<Camera, SceneError> {
-    check::camera(camera)?;
+pub(crate) fn moved_camera(
+    camera: &scene::Camera,
+    frame: &Normalization,
+) -> Result<Camera, SceneError> {
+    validate::camera(camera)?;
     if !frame.is_near(camera.eye) {
         return Err(SceneError {
-            item: Item::Camera,
+            item: SceneItem::Camera,
             field: "eye",
-            problem: Problem::OutOfReach,
+            problem: SceneProblem::OutOfReach,
         });
     }
     self::camera(camera, frame)
 }
 
-fn camera(camera: &scene::Camera, frame: &Frame) -> Result<Camera, SceneError> {
+fn camera(camera: &scene::Camera, frame: &Normalization) -> Result<Camera, SceneError> {
     let error = |field, problem| SceneError {
-        item: Item::Camera,
+        item: SceneItem::Camera,
         field,
         problem,
     };
     let view = camera.look_at - camera.eye;
-    let forward = direction(view.map(Real::to_bits)).ok_or(error("look_at", Problem::NoView))?;
-    let up = direction(camera.up.map(Real::to_bits)).ok_or(error("up", Problem::NoDirection))?;
+    let forward =
+        direction(view.map(Real::to_bits)).ok_or(error("look_at", SceneProblem::NoView))?;
+    let up =
+        direction(camera.up.map(Real::to_bits)).ok_or(error("up", SceneProblem::NoDirection))?;
     let right = forward.cross(up);
     // The sine between the two, in 2^-60.
     if right.x.abs().max(right.y.abs()).max(right.z.abs()) < 1 << 44 {
-        return Err(error("up", Problem::AlongView));
+        return Err(error("up", SceneProblem::AlongView));
     }
-    let right = direction(right).ok_or(error("up", Problem::AlongView))?;
-    let up = direction(right.cross(forward)).ok_or(error("up", Problem::AlongView))?;
+    let right = direction(right).ok_or(error("up", SceneProblem::AlongView))?;
+    let up = direction(right.cross(forward)).ok_or(error("up", SceneProblem::AlongView))?;
     Ok(Camera {
         eye: frame.point(camera.eye),
         forward,
         right,
         up,
-        tangent: trigonometry::tangent_of_half(camera.fovy_deg),
+        tangent: crate::math::tangent_of_half(camera.fovy_deg),
     })
 }
 
-fn texture(texture: &scene::Texture, frame: &Frame, item: Item) -> Result<Texture, SceneError> {
+fn texture(
+    texture: &scene::Texture,
+    frame: &Normalization,
+    item: SceneItem,
+) -> Result<Texture, SceneError> {
     match *texture {
         scene::Texture::Uniform(material) => Ok(Texture::Uniform(material.0)),
         scene::Texture::Checker {
@@ -111,7 +124,7 @@ fn texture(texture: &scene::Texture, frame: &Frame, item: Item) -> Result<Textur
             axes,
             materials,
         } => {
-            range::least_size(item, "checker.size", size, frame)?;
+            crate::geometry::limits::least_size(item, "checker.size", size, frame)?;
             let shift = size.to_bits().leading_zeros();
             let inverse = reciprocal((((size.to_bits() as u64) << shift) >> 32) as u32);
             let phase = axes.map(|axis| {
@@ -175,7 +188,7 @@ fn material(material: &scene::Material, scene: &Scene<'_>, exposure: u8) -> Mate
         shininess: (shininess.to_bits() >> 16) as u32,
         ior: Length::from_bits(((ior.to_bits() + 8) >> 4) as i32),
         inverse_ior: Length::from_bits(inverse as i32),
-        blinn: shading == Shading::BlinnPhong,
+        blinn: shading == SpecularModel::BlinnPhong,
         ..Material::default()
     }
 }

@@ -6,17 +6,26 @@
 
 mod builder;
 mod camera;
+mod counts;
+mod error;
 mod light;
 mod material;
 mod object;
+mod shape;
+mod texture;
 
 pub use builder::SceneBuilder;
 pub use camera::Camera;
+pub use counts::SceneCounts;
+pub(crate) use error::CapacityError;
+pub use error::{DecodeError, SceneError, SceneItem, SceneProblem};
 pub use light::Light;
-pub use material::{Material, MaterialId, Shading, ior};
-pub use object::{Axis, Bounds, Object, Shape, Texture};
+pub use material::{Material, MaterialId, SpecularModel, ior};
+pub use object::Object;
+pub use shape::{ClipBox, Shape};
+pub use texture::{Axis, Texture};
 
-use crate::{Color, Real};
+use crate::math::{Color, Real};
 
 /// A scene to be rendered, in world units and linear colors.
 ///
@@ -32,7 +41,7 @@ use crate::{Color, Real};
 /// The documentation of fields says what else holds.
 ///
 /// ```
-/// use whitted::{Camera, Light, Material, MaterialId, Object, Scene, Vec3, Color, Real};
+/// use whitted::{Camera, Color, Light, Material, MaterialId, Object, Real, Scene, Vec3};
 ///
 /// static SCENE: Scene = Scene {
 ///     lights: &[Light::point(Vec3::lit("-6", "11", "7"), Color::gray(Real::lit("0.95")))],
@@ -57,7 +66,7 @@ pub struct Scene<'a> {
     /// What a ray that hits nothing brings back, 0 to 256 a channel.
     pub background: Background,
     /// The highlight model of materials that name none.
-    pub shading: Shading,
+    pub shading: SpecularModel,
     /// Secondary generations of rays, 0 (plain ray casting) to 32.
     pub max_depth: u8,
     /// A branch of the ray tree ends where its weight is below this in every
@@ -76,7 +85,7 @@ impl Scene<'_> {
             objects: &[],
             ambient: Color::gray(Real::ONE),
             background: Background::Solid(Color::gray(Real::ZERO)),
-            shading: Shading::Phong,
+            shading: SpecularModel::Phong,
             max_depth: 5,
             // 1/255, rounded up.
             min_weight: Real::from_bits(0x0101_0102),

@@ -2,10 +2,11 @@
 
 #![allow(clippy::unwrap_used)]
 
-use whitted::{
-    Animation, AnimationError, AnimationProblem, Camera, Color, Interpolation, Key, Light,
-    MaterialId, Object, Real, Scene, Shape, Stage, Target, Texture, Track, Vec3,
+use whitted::animation::{
+    AnimatedScene, Animation, AnimationError, AnimationProblem, Interpolation, Keyframe, Target,
+    Track,
 };
+use whitted::{Camera, Color, Light, MaterialId, Object, Real, Scene, Shape, Texture, Vec3};
 
 use Interpolation::{Linear, Smooth};
 
@@ -25,7 +26,7 @@ const STILL: Scene<'static> = Scene {
 };
 
 /// The field of view is any number here, and nothing checks it.
-fn value(keys: &[Key], interpolation: Interpolation, looping: bool, time: &str) -> Real {
+fn value(keys: &[Keyframe], interpolation: Interpolation, looping: bool, time: &str) -> Real {
     let tracks = [Track {
         target: Target::CameraFovy,
         interpolation,
@@ -46,10 +47,10 @@ fn assert_near(a: Real, b: &str) {
     assert!((a - b).abs() < Real::lit("0.00000001"), "{a}, not {b}");
 }
 
-const RAMP: [Key; 3] = [
-    Key::number("1", "10"),
-    Key::number("3", "20"),
-    Key::number("7", "-20"),
+const RAMP: [Keyframe; 3] = [
+    Keyframe::number("1", "10"),
+    Keyframe::number("3", "20"),
+    Keyframe::number("7", "-20"),
 ];
 
 #[test]
@@ -79,7 +80,7 @@ fn both_kinds_pass_through_the_keys() {
             let got = value(&RAMP, interpolation, false, &key.time.to_string());
             assert_eq!(got, key.value.x);
         }
-        let alone = [Key::number("4", "5")];
+        let alone = [Keyframe::number("4", "5")];
         for time in ["0", "4", "8"] {
             assert_eq!(value(&alone, interpolation, true, time), 5);
         }
@@ -102,10 +103,10 @@ fn a_loop_begins_anew() {
 #[test]
 fn a_throw_is_a_parabola() {
     let keys = [
-        Key::number("0", "0"),
-        Key::number("1", "3.5"),
-        Key::number("5", "7.5"),
-        Key::number("8", "0"),
+        Keyframe::number("0", "0"),
+        Keyframe::number("1", "3.5"),
+        Keyframe::number("5", "7.5"),
+        Keyframe::number("8", "0"),
     ];
     for (time, right) in [
         ("0.5", "1.875"),
@@ -120,7 +121,7 @@ fn a_throw_is_a_parabola() {
 
 #[test]
 fn two_keys_are_joined_by_a_line() {
-    let keys = [Key::number("0", "0"), Key::number("8", "16")];
+    let keys = [Keyframe::number("0", "0"), Keyframe::number("8", "16")];
     assert_eq!(value(&keys, Smooth, true, "3"), 6);
 }
 
@@ -129,10 +130,10 @@ fn two_keys_are_joined_by_a_line() {
 #[test]
 fn even_times_give_the_usual_spline() {
     let keys = [
-        Key::number("0", "1"),
-        Key::number("2", "3"),
-        Key::number("4", "2"),
-        Key::number("6", "5"),
+        Keyframe::number("0", "1"),
+        Keyframe::number("2", "3"),
+        Keyframe::number("4", "2"),
+        Keyframe::number("6", "5"),
     ];
     // (-p0 + 9 p1 + 9 p2 - p3) / 16
     assert_near(value(&keys, Smooth, false, "3"), "2.4375");
@@ -140,7 +141,7 @@ fn even_times_give_the_usual_spline() {
     assert_near(value(&keys, Smooth, false, "2.5"), "2.8671875");
 }
 
-fn speed(keys: &[Key], looping: bool, time: &str) -> Real {
+fn speed(keys: &[Keyframe], looping: bool, time: &str) -> Real {
     let step = Real::lit("0.0001");
     let time: Real = time.parse().unwrap();
     let at = |time: Real| value(keys, Smooth, looping, &time.to_string());
@@ -150,21 +151,21 @@ fn speed(keys: &[Key], looping: bool, time: &str) -> Real {
 #[test]
 fn a_doubled_key_is_a_corner() {
     let bounce = [
-        Key::number("0", "0"),
-        Key::number("2", "4"),
-        Key::number("4", "0"),
-        Key::number("4", "0"),
-        Key::number("6", "4"),
-        Key::number("8", "0"),
+        Keyframe::number("0", "0"),
+        Keyframe::number("2", "4"),
+        Keyframe::number("4", "0"),
+        Keyframe::number("4", "0"),
+        Keyframe::number("6", "4"),
+        Keyframe::number("8", "0"),
     ];
     // Down by a slope of 4, and up again.
     assert!((speed(&bounce, false, "3.9998") + Real::from(4)).abs() < Real::lit("0.01"));
     assert!((speed(&bounce, false, "4") - Real::from(4)).abs() < Real::lit("0.01"));
     let jump = [
-        Key::number("0", "0"),
-        Key::number("4", "1"),
-        Key::number("4", "5"),
-        Key::number("8", "6"),
+        Keyframe::number("0", "0"),
+        Keyframe::number("4", "1"),
+        Keyframe::number("4", "5"),
+        Keyframe::number("8", "6"),
     ];
     for interpolation in [Linear, Smooth] {
         assert_near(value(&jump, interpolation, false, "3"), "0.75");
@@ -175,10 +176,10 @@ fn a_doubled_key_is_a_corner() {
 #[test]
 fn a_loop_closes_smoothly_where_its_ends_are_alike() {
     let wave = [
-        Key::number("0", "0"),
-        Key::number("1", "4"),
-        Key::number("6", "-4"),
-        Key::number("8", "0"),
+        Keyframe::number("0", "0"),
+        Keyframe::number("1", "4"),
+        Keyframe::number("6", "-4"),
+        Keyframe::number("8", "0"),
     ];
     let (end, start) = (speed(&wave, true, "7.9998"), speed(&wave, true, "0"));
     assert!((end - start).abs() < Real::lit("0.01"), "{end} {start}");
@@ -190,7 +191,7 @@ fn a_loop_closes_smoothly_where_its_ends_are_alike() {
 /// Nothing overflows.
 #[test]
 fn the_farthest_values_are_no_harm() {
-    let far = |time, x| Key {
+    let far = |time, x| Keyframe {
         time: Real::lit(time),
         value: Vec3::new(x, x, x),
     };
@@ -216,12 +217,15 @@ fn all_targets_move() {
         interpolation: Linear,
         keys,
     };
-    let position: &[Key] = &[
-        Key::vector("0", "0", "0", "0"),
-        Key::vector("2", "2", "4", "6"),
+    let position: &[Keyframe] = &[
+        Keyframe::vector("0", "0", "0", "0"),
+        Keyframe::vector("2", "2", "4", "6"),
     ];
-    let number: &[Key] = &[Key::number("0", "1"), Key::number("2", "3")];
-    let turn: &[Key] = &[Key::angles("0", "0", "0"), Key::angles("2", "180", "0")];
+    let number: &[Keyframe] = &[Keyframe::number("0", "1"), Keyframe::number("2", "3")];
+    let turn: &[Keyframe] = &[
+        Keyframe::angles("0", "0", "0"),
+        Keyframe::angles("2", "180", "0"),
+    ];
     let tracks = [
         half(Target::CameraOrbit, turn),
         half(Target::CameraLookAt, position),
@@ -236,7 +240,7 @@ fn all_targets_move() {
         looping: false,
         tracks: &tracks,
     };
-    let mut stage = Stage::<2, 1>::new();
+    let mut stage = AnimatedScene::<2, 1>::new();
     // The second frame starts from the still scene, too.
     for _ in 0..2 {
         let frame = stage.frame(&STILL, &animation, Real::ONE).unwrap();
@@ -262,7 +266,7 @@ fn all_targets_move() {
     assert_eq!(moved.eye, Vec3::lit("1", "2", "3"));
 }
 
-fn refused(duration: &str, target: Target, keys: &[Key]) -> AnimationError {
+fn refused(duration: &str, target: Target, keys: &[Keyframe]) -> AnimationError {
     let tracks = [Track {
         target,
         interpolation: Smooth,
@@ -273,15 +277,15 @@ fn refused(duration: &str, target: Target, keys: &[Key]) -> AnimationError {
         looping: true,
         tracks: &tracks,
     };
-    Stage::<2, 1>::new()
+    AnimatedScene::<2, 1>::new()
         .frame(&STILL, &animation, Real::ONE)
         .unwrap_err()
 }
 
 #[test]
 fn what_cannot_be_is_refused() {
-    let key = Key::number("1", "1");
-    let late = Key::number("2", "1");
+    let key = Keyframe::number("1", "1");
+    let late = Keyframe::number("2", "1");
     let fovy = Target::CameraFovy;
     let of = |problem| AnimationError {
         track: Some(0),
@@ -297,8 +301,12 @@ fn what_cannot_be_is_refused() {
         (fovy, &[][..], NoKeys),
         (fovy, &[late, key], Unsorted(1)),
         (fovy, &[key, key, key], Crowded(2)),
-        (fovy, &[key, Key::number("3.5", "1")], OutsideDuration(1)),
-        (fovy, &[Key::number("-1", "1")], OutsideDuration(0)),
+        (
+            fovy,
+            &[key, Keyframe::number("3.5", "1")],
+            OutsideDuration(1),
+        ),
+        (fovy, &[Keyframe::number("-1", "1")], OutsideDuration(0)),
         (Target::ObjectPosition(2), &[key], NoSuchObject(2)),
         (Target::ObjectRadius(2), &[key], NoSuchObject(2)),
         (Target::ObjectRadius(0), &[key], NoRadius(0)),
@@ -320,10 +328,10 @@ fn a_stage_must_be_large_enough() {
         looping: false,
         tracks: &[],
     };
-    let mut narrow = Stage::<1, 1>::new();
+    let mut narrow = AnimatedScene::<1, 1>::new();
     let error = narrow.frame(&STILL, &animation, Real::ZERO).unwrap_err();
     assert_eq!(error.problem, AnimationProblem::TooManyObjects);
-    let mut dark = Stage::<2, 0>::new();
+    let mut dark = AnimatedScene::<2, 0>::new();
     let error = dark.frame(&STILL, &animation, Real::ZERO).unwrap_err();
     assert_eq!(error.problem, AnimationProblem::TooManyLights);
 }

@@ -7,7 +7,9 @@
 use std::fs;
 
 use embedded_graphics::prelude::*;
-use whitted::{Antialiased, Color, Observer, PreparedScene, RayKind, Renderer, Sample, Samples};
+use whitted::observer::{Observer, RayKind};
+use whitted::render::{AaSample, AntialiasedRenderer, SampleCount};
+use whitted::{Color, PreparedScene, Renderer};
 use whitted_sim::scene_file;
 
 const SIZE: Size = Size::new(320, 240);
@@ -41,10 +43,11 @@ fn plain(scene: &PreparedScene<'_>, size: Size) -> Picture {
     (picture, renderer.observer().0)
 }
 
-fn smooth(scene: &PreparedScene<'_>, samples: Samples) -> Picture {
-    let mut memory = vec![Sample::BLACK; 2 * SIZE.width as usize];
+fn smooth(scene: &PreparedScene<'_>, samples: SampleCount) -> Picture {
+    let mut memory = vec![AaSample::BLACK; 2 * SIZE.width as usize];
     let mut renderer =
-        Antialiased::with_observer(scene, SIZE, samples, &mut memory, Rays::default()).unwrap();
+        AntialiasedRenderer::with_observer(scene, SIZE, samples, &mut memory, Rays::default())
+            .unwrap();
     let mut line = vec![Color::default(); SIZE.width as usize];
     let mut picture = Vec::new();
     for y in 0..SIZE.height {
@@ -93,7 +96,7 @@ fn gains(name: &str) -> [Gain; 2] {
     let reference = reference(&scene);
     let (picture, rays) = plain(&scene, SIZE);
     let before = decibels(&picture, &reference);
-    let gains = [Samples::Four, Samples::Sixteen].map(|samples| {
+    let gains = [SampleCount::Four, SampleCount::Sixteen].map(|samples| {
         let (picture, more) = smooth(&scene, samples);
         Gain {
             decibels: decibels(&picture, &reference) - before,

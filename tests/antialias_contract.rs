@@ -6,9 +6,12 @@
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
+use whitted::observer::Stats;
+use whitted::render::{AaSample, AntialiasError, AntialiasedRenderer, SampleCount};
+use whitted::scene::Axis;
 use whitted::{
-    AntialiasError, Antialiased, Axis, Background, Camera, Color, Light, Material, MaterialId,
-    Object, Radiance, Real, Renderer, Sample, Samples, Scene, SceneBuffer, Stats, Texture, Vec3,
+    Background, Camera, Color, Light, Material, MaterialId, Object, Radiance, Real, Renderer,
+    Scene, SceneBuffer, Texture, Vec3,
 };
 
 const DULL: Material = Material {
@@ -34,16 +37,17 @@ const SCENE: Scene = Scene {
 };
 
 const SIZE: Size = Size::new(40, 30);
-type Memory = [Sample; 2 * SIZE.width as usize];
-const MEMORY: Memory = [Sample::BLACK; 2 * SIZE.width as usize];
+type Memory = [AaSample; 2 * SIZE.width as usize];
+const MEMORY: Memory = [AaSample::BLACK; 2 * SIZE.width as usize];
 type Buffer = SceneBuffer<2, 1, 2>;
 
-fn all_lines(scene: &Scene<'_>, samples: Samples) -> (Vec<Vec<Color<Radiance>>>, Stats) {
+fn all_lines(scene: &Scene<'_>, samples: SampleCount) -> (Vec<Vec<Color<Radiance>>>, Stats) {
     let mut buffer = Buffer::new();
     let scene = buffer.prepare(scene).unwrap();
     let mut memory = MEMORY;
     let mut renderer =
-        Antialiased::with_observer(&scene, SIZE, samples, &mut memory, Stats::default()).unwrap();
+        AntialiasedRenderer::with_observer(&scene, SIZE, samples, &mut memory, Stats::default())
+            .unwrap();
     let lines = (0..SIZE.height)
         .map(|y| renderer.line(y).collect())
         .collect();
@@ -52,12 +56,12 @@ fn all_lines(scene: &Scene<'_>, samples: Samples) -> (Vec<Vec<Color<Radiance>>>,
 
 #[test]
 fn lines_are_the_same_in_any_order() {
-    for samples in [Samples::Four, Samples::Sixteen] {
+    for samples in [SampleCount::Four, SampleCount::Sixteen] {
         let (lines, _) = all_lines(&SCENE, samples);
         let mut buffer = Buffer::new();
         let scene = buffer.prepare(&SCENE).unwrap();
         let mut memory = MEMORY;
-        let mut renderer = Antialiased::new(&scene, SIZE, samples, &mut memory).unwrap();
+        let mut renderer = AntialiasedRenderer::new(&scene, SIZE, samples, &mut memory).unwrap();
         let back = (0..SIZE.height).rev();
         let again = [0, 0, 1, 0, 2, 3, 3, 4, 29, 29, 0, 15, 17, 16];
         for y in back.chain(again) {
@@ -72,7 +76,7 @@ fn lines_are_the_same_in_any_order() {
 
 #[test]
 fn other_pixels_are_those_of_a_plain_picture() {
-    let (lines, stats) = all_lines(&SCENE, Samples::Four);
+    let (lines, stats) = all_lines(&SCENE, SampleCount::Four);
     let mut buffer = Buffer::new();
     let scene = buffer.prepare(&SCENE).unwrap();
     let mut renderer = Renderer::new(&scene, SIZE);
@@ -81,24 +85,24 @@ fn other_pixels_are_those_of_a_plain_picture() {
         changed += renderer.line(y).zip(line).filter(|(a, b)| a != *b).count();
     }
     let pixels = SIZE.width * SIZE.height;
-    let edges = (stats.eye - pixels) / 4;
-    assert_eq!((stats.eye - pixels) % 4, 0);
+    let edges = (stats.camera - pixels) / 4;
+    assert_eq!((stats.camera - pixels) % 4, 0);
     assert!((50..pixels / 3).contains(&edges), "{edges}");
     assert!(changed <= edges as usize && changed > edges as usize / 2);
 }
 
 #[test]
 fn sixteen_rays_go_through_the_pixels_that_four_go_through() {
-    let [four, sixteen] = [Samples::Four, Samples::Sixteen].map(|samples| {
+    let [four, sixteen] = [SampleCount::Four, SampleCount::Sixteen].map(|samples| {
         let (_, stats) = all_lines(&SCENE, samples);
-        stats.eye - SIZE.width * SIZE.height
+        stats.camera - SIZE.width * SIZE.height
     });
     assert_eq!(sixteen, 4 * four);
 }
 
 /// The rays that are more than one a pixel.
 fn more(scene: &Scene<'_>) -> u32 {
-    all_lines(scene, Samples::Four).1.eye - SIZE.width * SIZE.height
+    all_lines(scene, SampleCount::Four).1.camera - SIZE.width * SIZE.height
 }
 
 #[test]
@@ -176,7 +180,7 @@ fn every_size_works() {
     for (width, height) in [(0, 0), (0, 5), (5, 0), (1, 1), (40, 1), (1, 40), (39, 41)] {
         let mut memory = MEMORY;
         let size = Size::new(width, height);
-        let renderer = Antialiased::new(&scene, size, Samples::Sixteen, &mut memory);
+        let renderer = AntialiasedRenderer::new(&scene, size, SampleCount::Sixteen, &mut memory);
         let mut renderer = renderer.unwrap();
         for y in 0..height {
             assert_eq!(renderer.line(y).count(), width as usize);
@@ -191,7 +195,7 @@ fn too_little_memory_and_too_large_a_picture_are_errors() {
     let mut memory = MEMORY;
     let mut error = |size, count: usize| {
         let memory = &mut memory[..count];
-        Antialiased::new(&scene, size, Samples::Four, memory).err()
+        AntialiasedRenderer::new(&scene, size, SampleCount::Four, memory).err()
     };
     let needs = |samples| Some(AntialiasError::TooLittleMemory { samples });
     assert_eq!(error(SIZE, 80), None);
@@ -254,12 +258,13 @@ impl DrawTarget for Shaky {
 
 #[test]
 fn a_line_that_failed_can_be_drawn_again_for_nothing() {
-    let (_, once) = all_lines(&SCENE, Samples::Four);
+    let (_, once) = all_lines(&SCENE, SampleCount::Four);
     let mut buffer = Buffer::new();
     let scene = buffer.prepare(&SCENE).unwrap();
     let mut memory = MEMORY;
     let stats = Stats::default();
-    let renderer = Antialiased::with_observer(&scene, SIZE, Samples::Four, &mut memory, stats);
+    let renderer =
+        AntialiasedRenderer::with_observer(&scene, SIZE, SampleCount::Four, &mut memory, stats);
     let mut renderer = renderer.unwrap();
     let mut display = Shaky::default();
     for y in 0..SIZE.height {

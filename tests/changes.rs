@@ -7,9 +7,10 @@ use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Rgb565, Rgb888};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use fastrand::Rng;
+use whitted::render::DirtyLines;
 use whitted::{
-    Camera, Changes, Color, Light, Material, MaterialId, Object, Real, Renderer, Scene,
-    SceneBuffer, Texture, Vec3,
+    Camera, Color, Light, Material, MaterialId, Object, Real, Renderer, Scene, SceneBuffer,
+    Texture, Vec3,
 };
 
 /// Its last segments are not whole.
@@ -18,7 +19,7 @@ const PIXELS: u32 = SIZE.width * SIZE.height;
 const FRAMES: i32 = 12;
 
 /// Lines of a sphere that rolls over a floor.
-fn frame<C: whitted::Pixel + PixelColor>(number: i32, black: C) -> Vec<Vec<C>> {
+fn frame<C: whitted::render::DisplayColor + PixelColor>(number: i32, black: C) -> Vec<Vec<C>> {
     let x = Real::from_num(number) / 8 - Real::ONE;
     let objects = [
         Object::sphere(
@@ -113,9 +114,9 @@ impl<C: PixelColor> DrawTarget for Screen<C> {
 /// of each.
 fn play<C>(screen: &mut Screen<C>, hashes: &mut [u32]) -> Vec<u32>
 where
-    C: whitted::Pixel + PixelColor + IntoStorage<Storage: Into<u32>>,
+    C: whitted::render::DisplayColor + PixelColor + IntoStorage<Storage: Into<u32>>,
 {
-    let mut changes = Changes::new(SIZE.width, hashes);
+    let mut changes = DirtyLines::new(SIZE.width, hashes);
     let mut sent = Vec::new();
     for number in 0..FRAMES {
         let lines = frame(number, screen.shown[0][0]);
@@ -136,7 +137,7 @@ where
 #[test]
 fn the_display_shows_each_frame_and_is_sent_little() {
     let mut screen = Screen::new(Rgb565::MAGENTA, || false);
-    let sent = play(&mut screen, &mut [0; Changes::hashes(SIZE)]);
+    let sent = play(&mut screen, &mut [0; DirtyLines::hashes(SIZE)]);
     println!("{sent:?} of {PIXELS}");
     assert_eq!(sent[0], PIXELS);
     // The sphere and its shadow, in segments of 32 pixels.
@@ -151,7 +152,7 @@ fn the_display_shows_each_frame_and_is_sent_little() {
 
 #[test]
 fn colors_of_every_depth_have_hashes() {
-    let mut hashes = [0; Changes::hashes(SIZE)];
+    let mut hashes = [0; DirtyLines::hashes(SIZE)];
     for sent in [
         play(&mut Screen::new(BinaryColor::On, || false), &mut hashes),
         play(&mut Screen::new(Gray4::WHITE, || false), &mut hashes),
@@ -174,11 +175,11 @@ fn what_fails_is_sent_again() {
         fails = !fails;
         fails
     });
-    play(&mut screen, &mut [0; Changes::hashes(SIZE)]);
+    play(&mut screen, &mut [0; DirtyLines::hashes(SIZE)]);
     for once_in in [2, 9, 60] {
         let mut rng = Rng::with_seed(once_in);
         let mut screen = Screen::new(Rgb565::MAGENTA, move || rng.u64(0..once_in) == 0);
-        play(&mut screen, &mut [0; Changes::hashes(SIZE)]);
+        play(&mut screen, &mut [0; DirtyLines::hashes(SIZE)]);
     }
 }
 
@@ -186,9 +187,9 @@ fn what_fails_is_sent_again() {
 #[test]
 fn a_frame_may_be_given_up() {
     let mut rng = Rng::with_seed(1);
-    let mut hashes = [0; Changes::hashes(SIZE)];
+    let mut hashes = [0; DirtyLines::hashes(SIZE)];
     let mut screen = Screen::new(Rgb565::MAGENTA, move || rng.u8(0..30) == 0);
-    let mut changes = Changes::new(SIZE.width, &mut hashes);
+    let mut changes = DirtyLines::new(SIZE.width, &mut hashes);
     for number in 0..FRAMES {
         let lines = frame(number, Rgb565::BLACK);
         let mut lines = (0..).zip(&lines);
@@ -208,8 +209,8 @@ fn a_frame_may_be_given_up() {
 #[test]
 fn neighbors_go_together() {
     let mut screen = Screen::new(Gray4::BLACK, || false);
-    let mut hashes = [7; Changes::hashes(SIZE)];
-    let mut changes = Changes::new(SIZE.width, &mut hashes);
+    let mut hashes = [7; DirtyLines::hashes(SIZE)];
+    let mut changes = DirtyLines::new(SIZE.width, &mut hashes);
     let mut line = [Gray4::BLACK; SIZE.width as usize];
     let mut send = |line: &[Gray4]| {
         screen.calls.clear();
@@ -245,7 +246,7 @@ fn what_is_forgotten_or_has_no_memory_is_sent_as_a_whole() {
     let line = [Gray4::BLACK; SIZE.width as usize];
     // Of two lines and a part of the third.
     let mut hashes = [0; 12];
-    let mut changes = Changes::new(SIZE.width, &mut hashes);
+    let mut changes = DirtyLines::new(SIZE.width, &mut hashes);
     let mut broken = Screen::new(Gray4::BLACK, || true);
     assert_eq!(changes.send_line(2, &line, &mut broken), Err(Unplugged));
     for y in [0, 1, 2, 59, u32::MAX] {

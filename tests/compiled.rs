@@ -5,7 +5,9 @@
 use std::fs;
 
 use embedded_graphics::geometry::Size;
-use whitted::{Crc32, DecodeError, Item, PreparedScene, SceneBuffer};
+use whitted::codec::Crc32;
+use whitted::scene::SceneItem;
+use whitted::{DecodeError, PreparedScene, SceneBuffer};
 use whitted_sim::{render, scene_file};
 
 fn compiled(name: &str) -> Vec<u8> {
@@ -98,7 +100,7 @@ fn other_versions_and_impossible_values_are_refused() {
     far_eye[11 + 3] = 0x7f;
     assert_eq!(
         buffer.decode(&resealed(far_eye)).unwrap_err(),
-        DecodeError::Invalid(Item::Scene)
+        DecodeError::Invalid(SceneItem::Scene)
     );
 }
 

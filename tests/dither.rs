@@ -2,7 +2,8 @@
 
 use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray4, Rgb565};
 use embedded_graphics::prelude::*;
-use whitted::{Color, Output, Pixel, Radiance, Transfer};
+use whitted::render::{DisplayColor, Output, Transfer};
+use whitted::{Color, Radiance};
 
 /// A picture that rises evenly from black at a corner or an edge to white.
 #[derive(Clone, Copy, Debug)]
@@ -29,7 +30,7 @@ impl Ramp {
 }
 
 /// A color's channels as shares of full scale.
-trait Channels: Pixel {
+trait Channels: DisplayColor {
     fn channels(self) -> Vec<f64>;
 }
 
@@ -84,7 +85,7 @@ fn worst<P: Channels>(ramp: Ramp, transfer: Transfer, step: usize) -> f64 {
     };
     let error = |x, y| {
         let value = ramp.at(x, y);
-        let pixel = P::show(light(value, transfer), Point::new(x, y), output);
+        let pixel = P::from_radiance(light(value, transfer), Point::new(x, y), output);
         pixel.channels().into_iter().map(move |shown| shown - value)
     };
     let rows = 0..SIZE.height as i32;

@@ -15,14 +15,15 @@ use embedded_graphics::pixelcolor::{
 };
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
-use whitted::{Observer, RayKind, Renderer, SceneBuffer, Stats};
+use whitted::observer::{Observer, RayKind, Stats};
+use whitted::{Renderer, SceneBuffer};
 
 use mirror_ball::SCENE;
 
 /// The mock display panics on a pixel that is drawn twice or lies outside.
 fn draws_every_pixel_once<C>(size: Size)
 where
-    C: PixelColor + whitted::Pixel,
+    C: PixelColor + whitted::render::DisplayColor,
     MockDisplay<C>: DrawTarget<Color = C, Error = Infallible>,
 {
     let mut buffer = SceneBuffer::<2, 1, 2>::new();
@@ -178,8 +179,8 @@ fn an_observer_is_told_of_every_ray() {
         *renderer.observer()
     };
     let stats = count(&scene);
-    assert_eq!(stats.eye, 16 * 8);
-    assert!(stats.reflected > 0 && stats.shadow > stats.eye / 2);
+    assert_eq!(stats.camera, 16 * 8);
+    assert!(stats.reflected > 0 && stats.shadow > stats.camera / 2);
     assert_eq!(stats.transmitted, 0);
 
     // In a line a pixel learns from the one before how far the floor is.
@@ -188,7 +189,7 @@ fn an_observer_is_told_of_every_ray() {
         renderer.pixel(x, y);
     }
     let alone = *renderer.observer();
-    let rays = |stats: Stats| u64::from(stats.eye + stats.reflected + stats.shadow);
+    let rays = |stats: Stats| u64::from(stats.camera + stats.reflected + stats.shadow);
     assert_eq!(rays(stats), rays(alone));
     assert!((rays(alone) / 2..2 * rays(alone)).contains(&alone.intersections));
     assert!(stats.intersections < alone.intersections);

@@ -13,7 +13,9 @@ use embedded_graphics::pixelcolor::{Gray2, Rgb888};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use fastrand::Rng;
-use whitted::{Drawing, Output, PreparedScene, Renderer, SceneBuffer, Stats, Step};
+use whitted::observer::Stats;
+use whitted::render::{Output, RenderProgress, Step};
+use whitted::{PreparedScene, Renderer, SceneBuffer};
 
 use mirror_ball::SCENE;
 
@@ -23,7 +25,8 @@ fn with_scene(test: impl FnOnce(&PreparedScene<'_>)) {
     test(&buffer.prepare(&SCENE).unwrap());
 }
 
-const ORDERS: [fn(Rectangle) -> Drawing; 2] = [Drawing::scanlines, Drawing::progressive];
+const ORDERS: [fn(Rectangle) -> RenderProgress; 2] =
+    [RenderProgress::scanlines, RenderProgress::progressive];
 
 /// Pictures and areas of them, some of which reach beyond or are outside.
 fn areas() -> Vec<(Size, Rectangle)> {
@@ -168,7 +171,7 @@ impl DrawTarget for Screen {
 /// Draws to the end, each step being chosen anew, and returns how many failed.
 fn draw(
     renderer: &mut Renderer<'_>,
-    mut drawing: Drawing,
+    mut drawing: RenderProgress,
     screen: &mut Screen,
     mut step: impl FnMut() -> Step,
 ) -> usize {
@@ -184,7 +187,7 @@ fn draw(
 }
 
 /// Line by line, without failure.
-fn reference(scene: &PreparedScene<'_>, size: Size, drawing: Drawing) -> Screen {
+fn reference(scene: &PreparedScene<'_>, size: Size, drawing: RenderProgress) -> Screen {
     let mut screen = Screen::default();
     draw(
         &mut Renderer::new(scene, size),
@@ -219,11 +222,19 @@ fn both_orders_end_with_the_picture_and_trace_each_pixel_once() {
                         .step(&mut drawing, Step::Line, &mut screen)
                         .unwrap();
                 }
-                assert_eq!(renderer.observer().eye as usize, points.len(), "{area:?}");
+                assert_eq!(
+                    renderer.observer().camera as usize,
+                    points.len(),
+                    "{area:?}"
+                );
                 assert_eq!(screen.shown.len(), points.len(), "{area:?}");
                 for point in &points {
                     let color = single.pixel(point.x as u32, point.y as u32);
-                    let expected: Rgb888 = whitted::Pixel::show(color, *point, Output::default());
+                    let expected: Rgb888 = whitted::render::DisplayColor::from_radiance(
+                        color,
+                        *point,
+                        Output::default(),
+                    );
                     assert_eq!(screen.shown[point], expected, "{area:?} {point}");
                 }
             }
@@ -283,13 +294,13 @@ fn a_failed_step_stays_after_the_last_call_that_succeeded() {
     let area = Rectangle::new(Point::zero(), size);
     with_scene(|scene| {
         let mut renderer = Renderer::new(scene, size);
-        let mut drawing = Drawing::progressive(area);
+        let mut drawing = RenderProgress::progressive(area);
         let mut screen = Screen::fails_at(6, 100);
         let failed = renderer.step(&mut drawing, Step::Pass, &mut screen);
         assert_eq!(failed, Err(Unplugged));
         assert_eq!(screen.calls.len(), 6);
 
-        let mut same = Drawing::progressive(area);
+        let mut same = RenderProgress::progressive(area);
         renderer
             .step(&mut same, Step::Line, &mut Screen::default())
             .unwrap();
@@ -308,9 +319,9 @@ fn a_drawing_outlives_renderers_and_can_be_copied_moved_and_dropped() {
     let size = Size::new(40, 30);
     let area = Rectangle::new(Point::zero(), size);
     with_scene(|scene| {
-        let expected = reference(scene, size, Drawing::progressive(area));
+        let expected = reference(scene, size, RenderProgress::progressive(area));
         let mut rng = Rng::with_seed(5);
-        let (mut screen, mut drawing) = (Screen::default(), Drawing::progressive(area));
+        let (mut screen, mut drawing) = (Screen::default(), RenderProgress::progressive(area));
         while !drawing.is_complete() {
             // One that is given up does no harm.
             let mut other = Box::new(drawing);
@@ -336,7 +347,7 @@ fn the_first_pass_covers_everything() {
         for (size, area) in areas() {
             let points = visible(size, area);
             let mut renderer = Renderer::with_observer(scene, size, Stats::default());
-            let (mut screen, mut drawing) = (Screen::default(), Drawing::progressive(area));
+            let (mut screen, mut drawing) = (Screen::default(), RenderProgress::progressive(area));
             renderer
                 .step(&mut drawing, Step::Pass, &mut screen)
                 .unwrap();
@@ -347,7 +358,7 @@ fn the_first_pass_covers_everything() {
             };
             let blocks = |span: i32| span as u32 / 16 + 1;
             let count = blocks(last.x - first.x) * blocks(last.y - first.y);
-            assert_eq!(renderer.observer().eye, count, "{area:?}");
+            assert_eq!(renderer.observer().camera, count, "{area:?}");
         }
     });
 }
@@ -358,7 +369,7 @@ fn the_calls_are_few() {
     let size = Size::new(40, 24);
     let all = Rectangle::new(Point::zero(), size);
     with_scene(|scene| {
-        let mut calls = reference(scene, size, Drawing::progressive(all))
+        let mut calls = reference(scene, size, RenderProgress::progressive(all))
             .calls
             .into_iter();
         let mut fill = |x, y, width, height| {
@@ -397,7 +408,7 @@ fn a_pass_ends_with_its_blocks() {
     let size = Size::new(40, 24);
     let all = Rectangle::new(Point::zero(), size);
     with_scene(|scene| {
-        let passes = |mut drawing: Drawing| {
+        let passes = |mut drawing: RenderProgress| {
             let mut renderer = Renderer::with_observer(scene, size, Stats::default());
             let mut pixels = Vec::new();
             while !drawing.is_complete() {
@@ -405,12 +416,15 @@ fn a_pass_ends_with_its_blocks() {
                 renderer
                     .step(&mut drawing, step, &mut Screen::default())
                     .unwrap();
-                pixels.push(renderer.observer().eye);
+                pixels.push(renderer.observer().camera);
             }
             pixels
         };
-        assert_eq!(passes(Drawing::scanlines(all)), [960]);
-        assert_eq!(passes(Drawing::progressive(all)), [6, 15, 60, 240, 960]);
+        assert_eq!(passes(RenderProgress::scanlines(all)), [960]);
+        assert_eq!(
+            passes(RenderProgress::progressive(all)),
+            [6, 15, 60, 240, 960]
+        );
     });
 }
 
@@ -419,7 +433,7 @@ fn a_pass_ends_with_its_blocks() {
 fn rays_are_counted_as_an_observer_does() {
     let size = Size::new(24, 20);
     let all = Rectangle::new(Point::zero(), size);
-    let rays = |stats: &Stats| stats.eye + stats.reflected + stats.transmitted + stats.shadow;
+    let rays = |stats: &Stats| stats.camera + stats.reflected + stats.transmitted + stats.shadow;
     with_scene(|scene| {
         for order in ORDERS {
             let mut rng = Rng::with_seed(2);
@@ -525,7 +539,7 @@ fn blocks_are_dithered_pixel_by_pixel() {
         let mut renderer = Renderer::new(scene, size);
         let mut display = MockDisplay::<Gray2>::new();
         display.set_allow_overdraw(true);
-        let mut drawing = Drawing::progressive(area);
+        let mut drawing = RenderProgress::progressive(area);
         let mut mixed = 0;
         for block in [16, 8, 4, 2, 1] {
             assert_eq!(drawing.block(), block);
@@ -535,7 +549,8 @@ fn blocks_are_dithered_pixel_by_pixel() {
             for point in area.points() {
                 let corner = area.top_left + (point - area.top_left) / block as i32 * block as i32;
                 let color = renderer.pixel(corner.x as u32, corner.y as u32);
-                let expected = whitted::Pixel::show(color, point, Output::default());
+                let expected =
+                    whitted::render::DisplayColor::from_radiance(color, point, Output::default());
                 assert_eq!(
                     display.get_pixel(point),
                     Some(expected),

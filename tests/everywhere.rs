@@ -5,10 +5,12 @@
 use std::path::Path;
 
 use embedded_graphics::prelude::Size;
-use whitted::{Crc32, PreparedScene, Real, SceneBuffer, Stage};
+use whitted::animation::AnimatedScene;
+use whitted::codec::Crc32;
+use whitted::{PreparedScene, Real, SceneBuffer};
 use whitted_sim::render;
 
-#[path = "../boards/motion/src/scene.rs"]
+#[path = "../tests/rigs/motion/src/scene.rs"]
 #[allow(dead_code, reason = "its times and size are those of firmware")]
 mod moving;
 
@@ -35,7 +37,7 @@ fn a_compiled_scene_is_the_same_everywhere() -> Outcome {
 
 #[test]
 fn a_frame_is_the_same_everywhere() -> Outcome {
-    let mut stage = Stage::<5, 1>::new();
+    let mut stage = AnimatedScene::<5, 1>::new();
     let frame = stage.frame(&moving::SCENE, &moving::ANIMATION, Real::lit("0.7"))?;
     let mut buffer = SceneBuffer::<5, 1, 5>::new();
     let scene = buffer.prepare(&frame)?;

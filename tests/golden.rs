@@ -15,7 +15,10 @@ use embedded_graphics::pixelcolor::{
     Rgb888,
 };
 use embedded_graphics::prelude::*;
-use whitted::{Antialiased, Color, Dither, Output, Pixel, Renderer, Sample, Samples, Transfer};
+use whitted::render::{
+    AaSample, AntialiasedRenderer, DisplayColor, Dither, Output, SampleCount, Transfer,
+};
+use whitted::{Color, Renderer};
 use whitted_sim::picture::Picture;
 use whitted_sim::{png16, render, scene_file};
 
@@ -40,7 +43,7 @@ const SRGB: Output = Output {
 
 fn draw<C>(output: Output) -> Picture
 where
-    C: PixelColor + Pixel + From<BinaryColor> + Into<Rgb888>,
+    C: PixelColor + DisplayColor + From<BinaryColor> + Into<Rgb888>,
 {
     let file =
         scene_file::load(concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/whitted.toml")).unwrap();
@@ -117,9 +120,12 @@ fn antialiased() {
     let file = scene_file::load(WHITTED).unwrap();
     let mut buffer = Box::new(scene_file::Buffer::new());
     let scene = file.prepare(&mut buffer).unwrap();
-    let mut memory = [Sample::BLACK; 2 * SIZE.width as usize];
-    for (name, samples) in [("rays4", Samples::Four), ("rays16", Samples::Sixteen)] {
-        let mut renderer = Antialiased::new(&scene, SIZE, samples, &mut memory).unwrap();
+    let mut memory = [AaSample::BLACK; 2 * SIZE.width as usize];
+    for (name, samples) in [
+        ("rays4", SampleCount::Four),
+        ("rays16", SampleCount::Sixteen),
+    ] {
+        let mut renderer = AntialiasedRenderer::new(&scene, SIZE, samples, &mut memory).unwrap();
         let drawn = render::lines(SIZE, |y, line| renderer.render_line(y, line));
         check(name, &drawn);
     }

@@ -4,7 +4,8 @@
 #![allow(clippy::unwrap_used)]
 
 use embedded_graphics::geometry::Size;
-use whitted::{Camera, Item, PreparedScene, Problem, Real, Renderer, SceneBuffer, Vec3};
+use whitted::scene::{SceneItem, SceneProblem};
+use whitted::{Camera, PreparedScene, Real, Renderer, SceneBuffer, Vec3};
 use whitted_sim::{picture::Picture, render, scene_file};
 
 const SIZE: Size = Size::new(64, 48);
@@ -46,9 +47,10 @@ fn a_moved_camera_draws_what_preparing_anew_draws() {
     let mut buffer = Box::new(scene_file::Buffer::new());
     let mut other = Box::new(scene_file::Buffer::new());
     let mut third = Box::new(scene_file::Buffer::new());
-    let bytes = scene_file::compile(concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/whitted.toml"));
+    let bytes =
+        scene_file::compile(concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/whitted.toml")).unwrap();
     let mut moved = file.prepare(&mut buffer).unwrap();
-    let mut decoded = third.decode(&bytes.unwrap()).unwrap();
+    let mut decoded = third.decode(&bytes).unwrap();
     let first = draw(&moved);
     assert_eq!(decoded.camera(), file.scene().camera);
     for camera in cameras(decoded.camera()) {
@@ -157,7 +159,7 @@ fn a_camera_that_cannot_be_leaves_the_scene_as_it_was() {
                 ..camera
             },
             "eye",
-            Problem::OutOfReach,
+            SceneProblem::OutOfReach,
         ),
         (
             Camera {
@@ -165,7 +167,7 @@ fn a_camera_that_cannot_be_leaves_the_scene_as_it_was() {
                 ..camera
             },
             "look_at",
-            Problem::NoView,
+            SceneProblem::NoView,
         ),
         (
             Camera {
@@ -173,14 +175,14 @@ fn a_camera_that_cannot_be_leaves_the_scene_as_it_was() {
                 ..camera
             },
             "up",
-            Problem::AlongView,
+            SceneProblem::AlongView,
         ),
     ];
     for (camera, field, problem) in bad {
         let error = moved.set_camera(&camera).unwrap_err();
         assert_eq!(
             (error.item, error.field, error.problem),
-            (Item::Camera, field, problem)
+            (SceneItem::Camera, field, problem)
         );
         assert!(draw(&moved) == before);
         assert_eq!(moved.camera(), file.scene().camera);

@@ -2,9 +2,10 @@
 
 #![allow(clippy::unwrap_used)]
 
+use whitted::scene::{Axis, ClipBox, SceneItem};
 use whitted::{
-    Axis, Background, Bounds, Camera, Color, Item, Light, Material, MaterialId, Object, Real,
-    Scene, SceneBuffer, SceneError, Shape, Texture, Vec3,
+    Background, Camera, Color, Light, Material, MaterialId, Object, Real, Scene, SceneBuffer,
+    SceneError, Shape, Texture, Vec3,
 };
 
 const CAMERA: Camera = Camera::new(
@@ -397,12 +398,12 @@ fn planes() {
     };
     let up = Vec3::lit("0", "1", "0");
     assert_eq!(
-        object_error(plane(Vec3::lit("0", "0", "0"), Bounds::NONE)),
+        object_error(plane(Vec3::lit("0", "0", "0"), ClipBox::NONE)),
         "object 1: normal must not be zero"
     );
-    let empty = Bounds {
+    let empty = ClipBox {
         z: Some([Real::ONE, Real::ONE]),
-        ..Bounds::NONE
+        ..ClipBox::NONE
     };
     assert_eq!(
         object_error(plane(up, empty)),
@@ -414,7 +415,7 @@ fn planes() {
             axes,
             materials: [MaterialId(0); 2],
         },
-        ..plane(up, Bounds::NONE)
+        ..plane(up, ClipBox::NONE)
     };
     assert_eq!(
         object_error(checker([Axis::Y, Axis::Y], "1")),
@@ -472,7 +473,7 @@ fn settings() {
         prepared.set_max_depth(depth).map_err(|error| error.item)
     };
     assert_eq!(prepared_depth(32), Ok(()));
-    assert_eq!(prepared_depth(33), Err(Item::Scene));
+    assert_eq!(prepared_depth(33), Err(SceneItem::Scene));
 }
 
 /// Items are numbered by 16 bits, and one number stands for none.

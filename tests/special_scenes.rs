@@ -4,7 +4,8 @@
 
 mod common;
 
-use whitted::{Color, Observer, RayKind, Real, ShapeKind};
+use whitted::observer::{Observer, RayKind, ShapeKind};
+use whitted::{Color, Real};
 use whitted_oracle::compare;
 
 #[track_caller]

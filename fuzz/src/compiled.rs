@@ -1,4 +1,5 @@
-use whitted::{Crc32, SceneBuffer};
+use whitted::SceneBuffer;
+use whitted::codec::Crc32;
 
 use super::picture::draw;
 

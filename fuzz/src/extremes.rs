@@ -1,6 +1,7 @@
+use whitted::scene::{Axis, ClipBox, SpecularModel};
 use whitted::{
-    Axis, Background, Bounds, Camera, Color, Light, Material, MaterialId, Object, Real, Scene,
-    SceneBuffer, Shading, Shape, Texture, Vec3,
+    Background, Camera, Color, Light, Material, MaterialId, Object, Real, Scene, SceneBuffer,
+    Shape, Texture, Vec3,
 };
 
 use super::bytes::Bytes;
@@ -90,7 +91,8 @@ impl<'a> World<'a> {
         Scene {
             ambient: bytes.color(BRIGHTEST),
             background,
-            shading: [Shading::Phong, Shading::BlinnPhong][usize::from(bytes.choice(2))],
+            shading: [SpecularModel::Phong, SpecularModel::BlinnPhong]
+                [usize::from(bytes.choice(2))],
             max_depth: [32, 0, 1, bytes.choice(33)][usize::from(bytes.choice(4))],
             min_weight: match bytes.choice(2) {
                 0 => Real::ZERO,
@@ -143,8 +145,11 @@ impl<'a> World<'a> {
             kt,
             ior,
             le: bytes.color(BRIGHTEST),
-            shading: [None, Some(Shading::Phong), Some(Shading::BlinnPhong)]
-                [usize::from(bytes.choice(3))],
+            shading: [
+                None,
+                Some(SpecularModel::Phong),
+                Some(SpecularModel::BlinnPhong),
+            ][usize::from(bytes.choice(3))],
         }
     }
 
@@ -217,7 +222,7 @@ impl<'a> World<'a> {
             5 => Shape::Plane {
                 normal: self.bytes.point(Real::lit("16777216")),
                 point: center,
-                bounds: Bounds {
+                bounds: ClipBox {
                     x: self.perhaps(),
                     y: self.perhaps(),
                     z: self.perhaps(),

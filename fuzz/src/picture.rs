@@ -1,5 +1,6 @@
 use embedded_graphics_core::geometry::Size;
-use whitted::{Color, Observer, PreparedScene, Radiance, RayKind, Renderer, SceneBuffer};
+use whitted::observer::{Observer, RayKind};
+use whitted::{Color, PreparedScene, Radiance, Renderer, SceneBuffer};
 
 /// So small that the worst of scenes is drawn soon.
 const SIZE: Size = Size::new(4, 3);
@@ -26,7 +27,7 @@ impl Observer for Rays {
 
 /// A tiny picture, drawn with no more rays than a pixel may take.
 pub(crate) fn draw(scene: &PreparedScene<'_>) -> Vec<Color<Radiance>> {
-    let [_, lights, _] = scene.counts();
+    let lights = scene.counts().lights;
     let mut renderer = Renderer::with_observer(scene, SIZE, Rays::default());
     let mut picture = Vec::new();
     for y in 0..SIZE.height {

@@ -45,19 +45,16 @@ pub fn scenes(folder: &str, defaults: &[&str]) -> Result<(), String> {
         Some(list) => env::split_paths(&list).collect(),
         None => defaults.iter().map(PathBuf::from).collect(),
     };
-    let mut counts = [0; 3];
     let mut list = String::new();
     for (number, file) in files.iter().enumerate() {
         let compiled = compiled(&Path::new(folder).join(file))?;
-        let needed = whitted::counts(&compiled);
-        counts = std::array::from_fn(|item| needed[item].max(counts[item]));
         write(&format!("{number}.bin"), &compiled)?;
         _ = writeln!(list, "    include_bytes!(\"{number}.bin\"),");
     }
     let length = files.len();
     let text = format!(
-        "const COUNTS: [usize; 3] = {counts:?};
-static SCENES: [&[u8]; {length}] = [\n{list}];\n"
+        "static SCENES: [&[u8]; {length}] = [\n{list}];
+const COUNTS: whitted::scene::SceneCounts = whitted::scene::SceneCounts::of_all(&SCENES);\n"
     );
     write("scenes.rs", text.as_bytes())
 }

@@ -11,9 +11,9 @@ use std::fmt::{self, Write};
 
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
-use whitted::{
-    Color, Node, Observer, Output, Pixel, PreparedScene, Radiance, RayKind, Real, Renderer, Stats,
-};
+use whitted::observer::{Observer, RayKind, RayNode, Stats};
+use whitted::render::{DisplayColor, Output};
+use whitted::{Color, PreparedScene, Radiance, Real, Renderer};
 
 /// All rays that a pixel's color comes from.
 #[derive(Clone, Debug)]
@@ -30,7 +30,7 @@ pub struct RayTree {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Branch {
     /// Where a ray ends.
-    pub node: Node,
+    pub node: RayNode,
     /// One for each light that the surface faces.
     pub shadows: Vec<Shadow>,
 }
@@ -77,7 +77,7 @@ impl Observer for Collector {
         self.shadows.push(Shadow { light, left });
     }
 
-    fn node(&mut self, node: &Node) {
+    fn node(&mut self, node: &RayNode) {
         self.nodes.push(Branch {
             node: *node,
             shadows: std::mem::take(&mut self.shadows),
@@ -100,21 +100,21 @@ impl RayTree {
     }
 
     fn sum(&self, text: &mut String) -> fmt::Result {
-        let eight = Rgb888::show(self.color, Point::zero(), Output::default());
+        let eight = Rgb888::from_radiance(self.color, Point::zero(), Output::default());
         let (r, g, b) = (eight.r(), eight.g(), eight.b());
         writeln!(text, "color: {}", numbers(self.color))?;
         writeln!(text, "8 bit: ({r}, {g}, {b})")?;
         let Stats {
-            eye,
+            camera,
             reflected,
             transmitted,
             shadow,
             ..
         } = self.stats;
-        let all = eye + reflected + transmitted + shadow;
+        let all = camera + reflected + transmitted + shadow;
         writeln!(
             text,
-            "rays: {all}: {eye} eye, {reflected} reflected, {transmitted} transmitted, {shadow} shadow"
+            "rays: {all}: {camera} camera, {reflected} reflected, {transmitted} transmitted, {shadow} shadow"
         )
     }
 }
@@ -149,9 +149,9 @@ fn lines(tree: &[Branch], name: &dyn Fn(u16) -> Option<String>) -> Vec<String> {
 }
 
 /// What a line says of a node itself.
-fn head(node: &Node, name: &dyn Fn(u16) -> Option<String>) -> String {
+fn head(node: &RayNode, name: &dyn Fn(u16) -> Option<String>) -> String {
     let kind = match node.kind {
-        RayKind::Eye => 'E',
+        RayKind::Camera => 'E',
         RayKind::Reflected => 'R',
         RayKind::Transmitted => 'T',
         RayKind::Shadow => 'S',

@@ -1,7 +1,9 @@
 //! Rendering to a [`Picture`] of linear light.
 
 use embedded_graphics_core::geometry::Size;
-use whitted::{Color, Crc32, Observer, PreparedScene, Renderer};
+use whitted::codec::Crc32;
+use whitted::observer::Observer;
+use whitted::{Color, PreparedScene, Renderer};
 
 use crate::picture::Picture;
 

@@ -2,7 +2,8 @@
 
 use std::error::Error;
 
-use whitted::{Color, Item, Light, MaterialId, Object, Problem, Real, SceneError, Vec3};
+use whitted::scene::{SceneItem, SceneProblem};
+use whitted::{Color, Light, MaterialId, Object, Real, SceneError, Vec3};
 use whitted_sim::scene_file::{self, Stage};
 
 const STILL: &str = r#"
@@ -109,9 +110,9 @@ fn an_impossible_frame_is_led_back_to_its_track() -> Result<(), Box<dyn Error>> 
     assert!(said.starts_with(expected), "{said}");
 
     let still = SceneError {
-        item: Item::Camera,
+        item: SceneItem::Camera,
         field: "up",
-        problem: Problem::NoDirection,
+        problem: SceneProblem::NoDirection,
     };
     let file = scene_file::parse("moving.toml", STILL)?;
     let said = file.explain_frame(still, end).to_string();

@@ -3,7 +3,7 @@
 use std::error::Error;
 
 use embedded_graphics_core::geometry::Size;
-use whitted::RayKind;
+use whitted::observer::RayKind;
 use whitted_sim::ray_tree;
 use whitted_sim::scene_file::{self, Buffer};
 
@@ -88,7 +88,7 @@ fn a_tree_is_that_of_its_pixel() -> Result<(), Box<dyn Error>> {
             let tree = ray_tree::trace(&scene, size, [x, y]).ok_or("a tree")?;
             assert_eq!(tree.color, color);
             let kinds = tree.nodes.iter().map(|branch| branch.node.kind);
-            assert_eq!(kinds.filter(|kind| *kind == RayKind::Eye).count(), 1);
+            assert_eq!(kinds.filter(|kind| *kind == RayKind::Camera).count(), 1);
             let sum = tree.nodes.iter().map(|branch| {
                 branch.node.weight.r.to_num::<f64>() * branch.node.local.r.to_num::<f64>()
             });

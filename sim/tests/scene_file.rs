@@ -2,10 +2,8 @@
 
 use std::error::Error;
 
-use whitted::{
-    Axis, Background, Bounds, Color, Item, Light, MaterialId, Problem, Real, SceneError, Shading,
-    Shape, Texture, Vec3,
-};
+use whitted::scene::{Axis, ClipBox, SceneItem, SceneProblem, SpecularModel};
+use whitted::{Background, Color, Light, MaterialId, Real, SceneError, Shape, Texture, Vec3};
 use whitted_sim::scene_file::{self, nearest};
 
 const FULL: &str = r#"
@@ -76,7 +74,7 @@ fn every_key_is_read() -> Result<(), Box<dyn Error>> {
     let scene = file.scene();
     assert_eq!(file.title.as_deref(), Some("All keys"));
     assert_eq!((scene.max_depth, scene.min_weight), (7, real("0.25")));
-    assert_eq!(scene.shading, Shading::BlinnPhong);
+    assert_eq!(scene.shading, SpecularModel::BlinnPhong);
     assert_eq!(scene.ambient, color("0.5", "1", "2"));
     let (horizon, zenith) = (Color::gray(real("0.5")), color("0", "0", "1"));
     assert_eq!(scene.background, Background::Gradient { horizon, zenith });
@@ -117,7 +115,7 @@ fn materials_are_numbered_in_the_files_order() -> Result<(), Box<dyn Error>> {
         (color("0.25", "0", "0"), color("0", "0.25", "0"))
     );
     assert_eq!((mixed.shininess, mixed.ior), (real("12"), real("1.5")));
-    assert_eq!(mixed.shading, Some(Shading::Phong));
+    assert_eq!(mixed.shading, Some(SpecularModel::Phong));
     Ok(())
 }
 
@@ -127,7 +125,7 @@ fn objects_keep_their_order() -> Result<(), Box<dyn Error>> {
     let [floor, ball] = file.objects[..] else {
         return Err("two objects".into());
     };
-    let bounds = Bounds {
+    let bounds = ClipBox {
         x: Some([real("-5"), real("5")]),
         y: None,
         z: Some([real("-4"), real("4")]),
@@ -274,7 +272,7 @@ fn every_shape_is_read() -> Result<(), Box<dyn Error>> {
 #[test]
 fn every_field_of_a_shape_has_its_line() -> Result<(), Box<dyn Error>> {
     let file = scene_file::parse("shapes.toml", SHAPES)?;
-    let range = Problem::OutOfRange {
+    let range = SceneProblem::OutOfRange {
         least: real("0"),
         most: real("1"),
     };
@@ -288,7 +286,7 @@ fn every_field_of_a_shape_has_its_line() -> Result<(), Box<dyn Error>> {
         (
             2,
             "y",
-            Problem::EmptyInterval,
+            SceneProblem::EmptyInterval,
             23,
             "must run from a lower to a higher value",
         ),
@@ -306,13 +304,13 @@ fn every_field_of_a_shape_has_its_line() -> Result<(), Box<dyn Error>> {
         (
             7,
             "frame",
-            Problem::NotOrthonormal,
+            SceneProblem::NotOrthonormal,
             60,
             "must be three unit vectors at right angles, u × v = w",
         ),
     ];
     for (object, field, problem, line, reason) in cases {
-        let item = Item::Object(object);
+        let item = SceneItem::Object(object);
         let error = file.explain(SceneError {
             item,
             field,

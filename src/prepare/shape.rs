@@ -2,20 +2,22 @@
 
 use fixed::types::I8F56;
 
-use crate::num::{Length, Unit};
-use crate::prepared::Frame;
-use crate::scene;
-use crate::shape::{
-    Bounds, Cone, Cylinder, Ellipsoid, Form, Paraboloid, Parts, Plane, Quadric, Shape, Sphere,
-    Sphereflake,
+use crate::geometry::{
+    ClipBox, Cone, Cylinder, Ellipsoid, Form, Normalization, Paraboloid, Plane, Quadric, Shape,
+    Sphere, Sphereflake, SphereflakeParams,
 };
-use crate::vector::direction;
-use crate::{Item, Problem, Real, SceneError, Vec3};
+use crate::math::{Length, Real, Unit, Vec3, direction};
+use crate::scene;
+use crate::scene::{SceneError, SceneItem, SceneProblem};
 
-use super::frame::{below_one, cone_radius, paraboloid_ends};
-use super::range::{self, fail};
+use crate::geometry::limits::fail;
+use crate::geometry::{below_one, cone_radius, limits as range, paraboloid_ends};
 
-pub(super) fn shape(shape: &scene::Shape, frame: &Frame, item: Item) -> Result<Shape, SceneError> {
+pub(super) fn shape(
+    shape: &scene::Shape,
+    frame: &Normalization,
+    item: SceneItem,
+) -> Result<Shape, SceneError> {
     let least_size = |field, size| range::least_size(item, field, size, frame);
     match *shape {
         scene::Shape::Sphere { center, radius } => {
@@ -95,9 +97,9 @@ pub(super) fn shape(shape: &scene::Shape, frame: &Frame, item: Item) -> Result<S
             least_size("radius", radius)?;
             range::least_sphere(item, radius, ratio, depth, frame)?;
             let Some(axes) = orthonormal(axes) else {
-                return fail(item, "frame", Problem::NotOrthonormal);
+                return fail(item, "frame", SceneProblem::NotOrthonormal);
             };
-            Ok(Shape::Sphereflake(Sphereflake::new(Parts {
+            Ok(Shape::Sphereflake(Sphereflake::new(SphereflakeParams {
                 center: frame.point(center),
                 frame: axes,
                 radius: frame.fraction(radius),
@@ -113,7 +115,7 @@ fn middle([low, high]: [Real; 2]) -> Real {
     Real::from_bits((low.to_bits() + high.to_bits()) >> 1)
 }
 
-fn clamped(origin: Vec3<Real>, y: [Real; 2], frame: &Frame, form: Form) -> Shape {
+fn clamped(origin: Vec3<Real>, y: [Real; 2], frame: &Normalization, form: Form) -> Shape {
     let above = |y: Real| Vec3 {
         y: origin.y + y,
         ..origin
@@ -133,7 +135,7 @@ fn unit_ratio(n: Real, d: Real) -> Unit {
     Unit::from_bits((quotient * d.signum()) as i32)
 }
 
-fn cone(radius: Real, height: Real, middle: Real, frame: &Frame) -> Cone {
+fn cone(radius: Real, height: Real, middle: Real, frame: &Normalization) -> Cone {
     let half = Unit::ONE / 2;
     if radius <= height.abs() {
         Cone {
@@ -150,7 +152,7 @@ fn cone(radius: Real, height: Real, middle: Real, frame: &Frame) -> Cone {
     }
 }
 
-fn paraboloid(middle: Real, frame: &Frame) -> Paraboloid {
+fn paraboloid(middle: Real, frame: &Normalization) -> Paraboloid {
     // x² + z² = y 2^exponent; squeezed, the exponent is at most 0.
     let squeeze = (frame.exponent.max(0) + 1) / 2;
     Paraboloid {
@@ -163,12 +165,12 @@ fn paraboloid(middle: Real, frame: &Frame) -> Paraboloid {
 fn plane(
     normal: Vec3<Real>,
     point: Vec3<Real>,
-    bounds: scene::Bounds,
-    frame: &Frame,
-    item: Item,
+    bounds: scene::ClipBox,
+    frame: &Normalization,
+    item: SceneItem,
 ) -> Result<Shape, SceneError> {
     let Some(normal) = direction(normal.map(Real::to_bits)) else {
-        return fail(item, "normal", Problem::NoDirection);
+        return fail(item, "normal", SceneProblem::NoDirection);
     };
     let Some(offset) = frame.offset(normal, point) else {
         return fail(item, "point", frame.reach_problem());
@@ -183,7 +185,7 @@ fn plane(
             bound.map(|b| Length::from_bits(frame.length(b.to_bits() - center) as i32))
         })
     });
-    let bounds = (bounds != scene::Bounds::NONE).then_some(Bounds {
+    let bounds = (bounds != scene::ClipBox::NONE).then_some(ClipBox {
         low: Vec3::new(x[0], y[0], z[0]),
         high: Vec3::new(x[1], y[1], z[1]),
     });

@@ -1,7 +1,6 @@
 use heapless::Vec;
 
-use crate::error::Full;
-use crate::{Camera, Light, Material, MaterialId, Object, Scene, SceneError};
+use crate::scene::{Camera, CapacityError, Light, Material, MaterialId, Object, Scene, SceneError};
 
 /// A scene that is put together at run time, without allocation.
 ///
@@ -9,7 +8,8 @@ use crate::{Camera, Light, Material, MaterialId, Object, Scene, SceneError};
 /// that says so. `settings` holds all that is not a list.
 ///
 /// ```
-/// use whitted::{Camera, Color, Light, Material, Object, Real, SceneBuilder, Vec3};
+/// use whitted::{Camera, Color, Light, Material, Object, Real, Vec3};
+/// use whitted::scene::SceneBuilder;
 ///
 /// let camera = Camera::new(Vec3::lit("0", "2", "8"), Vec3::lit("0", "1", "0"), Real::lit("33"));
 /// let mut builder = SceneBuilder::<4, 1, 2>::new(camera);
@@ -52,7 +52,7 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize>
         let id = MaterialId(self.materials.len() as u16);
         self.materials
             .push(material)
-            .map_err(|_| Full::new("materials", MATERIALS))?;
+            .map_err(|_| CapacityError::new("materials", MATERIALS))?;
         Ok(id)
     }
 
@@ -64,7 +64,7 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize>
     pub fn light(&mut self, light: Light) -> Result<(), SceneError> {
         self.lights
             .push(light)
-            .map_err(|_| Full::new("lights", LIGHTS).into())
+            .map_err(|_| CapacityError::new("lights", LIGHTS).into())
     }
 
     /// Adds an object; its number is how many were added before it.
@@ -76,7 +76,7 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize>
         let index = self.objects.len();
         self.objects
             .push(object)
-            .map_err(|_| Full::new("objects", OBJECTS))?;
+            .map_err(|_| CapacityError::new("objects", OBJECTS))?;
         Ok(index)
     }
 

@@ -1,7 +1,4 @@
-use crate::angle::Turn;
-use crate::num::Unit;
-use crate::vector::direction;
-use crate::{Real, Vec3};
+use crate::math::{Real, Rotation, Unit, Vec3, direction};
 
 /// A pinhole camera.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,7 +54,7 @@ impl Camera {
         };
         let pitch = pitch(view, up, level, pitch_deg);
         let way = turned(way, level, pitch);
-        let way = turned(way, up, Turn::by(yaw_deg));
+        let way = turned(way, up, Rotation::by(yaw_deg));
         Self {
             eye: self.look_at.zip(way, Real::saturating_add),
             ..self
@@ -67,19 +64,19 @@ impl Camera {
 
 /// How far the way from `look_at` to the eye is to be raised, around `level`.
 #[inline(never)]
-fn pitch(view: Vec3<Unit>, up: Vec3<Unit>, level: Vec3<Unit>, degrees: Real) -> Turn {
+fn pitch(view: Vec3<Unit>, up: Vec3<Unit>, level: Vec3<Unit>, degrees: Real) -> Rotation {
     const HALF: Real = Real::lit("180");
     /// By 89 degrees; a constant, or the text would be read by the chip.
-    const STEEPEST: Turn = Turn {
+    const STEEPEST: Rotation = Rotation {
         cos: Unit::lit("0.0174524064"),
         sin: Unit::lit("0.9998476952"),
     };
     let ahead = direction(up.cross(level)).unwrap_or(view);
-    let elevation = Turn {
+    let elevation = Rotation {
         cos: view.cosine(ahead),
         sin: view.cosine(up),
     };
-    let turn = Turn::by(degrees.clamp(-HALF, HALF));
+    let turn = Rotation::by(degrees.clamp(-HALF, HALF));
     if elevation.then(turn).cos >= STEEPEST.cos.min(elevation.cos) {
         return turn;
     }
@@ -93,7 +90,7 @@ fn pitch(view: Vec3<Unit>, up: Vec3<Unit>, level: Vec3<Unit>, degrees: Real) -> 
 
 /// A vector, turned around an axis (Rodrigues 1840):
 /// `v cos + (axis × v) sin + axis (axis · v) (1 - cos)`.
-fn turned(v: Vec3<Real>, axis: Vec3<Unit>, turn: Turn) -> Vec3<Real> {
+fn turned(v: Vec3<Real>, axis: Vec3<Unit>, turn: Rotation) -> Vec3<Real> {
     let v = v.map(|c| i128::from(c.to_bits()));
     let Vec3 { x, y, z } = axis.map(|c| i64::from(c.to_bits()));
     let [cos, sin] = [turn.cos, turn.sin].map(|c| i64::from(c.to_bits()));

@@ -1,4 +1,4 @@
-use crate::{Color, Real, Vec3};
+use crate::math::{Color, Real, Vec3};
 
 /// A point light. It does not fade with distance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,4 +1,4 @@
-use crate::{Color, Real};
+use crate::math::{Color, Real};
 
 /// How a surface reflects and transmits light (Whitted 1980, Phong 1975).
 ///
@@ -22,7 +22,7 @@ pub struct Material {
     /// Emission, 0 to 256 a channel.
     pub le: Color<Real>,
     /// Highlight model; `None` takes the scene's.
-    pub shading: Option<Shading>,
+    pub shading: Option<SpecularModel>,
 }
 
 impl Material {
@@ -52,7 +52,7 @@ pub struct MaterialId(pub u16);
 
 /// How highlights are shaped.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Shading {
+pub enum SpecularModel {
     /// By the angle between the mirrored light and the eye (Phong 1975).
     #[default]
     Phong,
@@ -62,7 +62,7 @@ pub enum Shading {
 
 /// Indices of refraction.
 pub mod ior {
-    use crate::Real;
+    use crate::math::Real;
 
     /// 1
     pub const VACUUM: Real = Real::ONE;

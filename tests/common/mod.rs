@@ -1,7 +1,8 @@
 //! Rendering a scene file by the library, as the tests compare it.
 
 use embedded_graphics::geometry::Size;
-use whitted::{Observer, Real, Renderer};
+use whitted::observer::Observer;
+use whitted::{Real, Renderer};
 use whitted_sim::{render, scene_file};
 
 /// Linear colors of 0 to 1, row by row, with no branch of the ray tree cut off.

@@ -10,7 +10,8 @@ mod acne;
 mod leaks;
 
 use fastrand::Rng;
-use whitted::{Color, Node, Observer, Real};
+use whitted::observer::{Observer, RayNode};
+use whitted::{Color, Real};
 
 type Triple = [f64; 3];
 
@@ -31,7 +32,7 @@ impl Observer for Shadows {
         self.next[usize::from(left.is_none())] += 1;
     }
 
-    fn node(&mut self, node: &Node) {
+    fn node(&mut self, node: &RayNode) {
         let [lit, dark] = std::mem::take(&mut self.next);
         self.missed += usize::from(node.object.is_none());
         self.lit[usize::from(node.inside)] += lit;

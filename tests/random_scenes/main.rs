@@ -19,7 +19,8 @@ use std::thread;
 
 use embedded_graphics::geometry::Size;
 use generator::RandomScene;
-use whitted::{Color, Node, Observer, RayKind, Renderer};
+use whitted::observer::{Observer, RayKind, RayNode};
+use whitted::{Color, Renderer};
 use whitted_sim::compare::{Comparison, compare};
 use whitted_sim::picture::Picture;
 use whitted_sim::{png16, render, scene_file};
@@ -33,8 +34,8 @@ const SIZE: Size = Size::new(320, 240);
 struct Covered(u32);
 
 impl Observer for Covered {
-    fn node(&mut self, node: &Node) {
-        self.0 += u32::from(node.kind == RayKind::Eye && node.object.is_some());
+    fn node(&mut self, node: &RayNode) {
+        self.0 += u32::from(node.kind == RayKind::Camera && node.object.is_some());
     }
 }
 

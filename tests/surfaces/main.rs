@@ -16,7 +16,7 @@ mod plane;
 mod sphere;
 mod sphereflake;
 
-use whitted::{Node, Observer, RayKind};
+use whitted::observer::{Observer, RayKind, RayNode};
 use whitted_oracle::compare;
 
 const SIZE: [u32; 2] = [64, 48];
@@ -107,8 +107,8 @@ objects = [{{ {object}{cover} }}{others}]
 struct Seen(usize);
 
 impl Observer for Seen {
-    fn node(&mut self, node: &Node) {
-        self.0 += usize::from(node.kind == RayKind::Eye && node.object == Some(0));
+    fn node(&mut self, node: &RayNode) {
+        self.0 += usize::from(node.kind == RayKind::Camera && node.object == Some(0));
     }
 }
 

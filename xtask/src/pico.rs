@@ -163,7 +163,7 @@ fn picture(scene: &PreparedScene<'_>) -> Result<Picture> {
 
 fn text(text: &str) -> Result<Picture> {
     let mut picture = Picture::new(SIZE);
-    page::write(&mut picture, &FONT_10X20, text)?;
+    message_page::write(&mut picture, &FONT_10X20, text)?;
     Ok(picture)
 }
 

@@ -35,7 +35,7 @@ const PROMISES: [Promise; 10] = [
     Promise {
         name: "panics",
         says: "Nothing panics.",
-        how: "`boards/nopanic` calls every public function with input that the compiler cannot know; its panic \
+        how: "`tests/rigs/nopanic` calls every public function with input that the compiler cannot know; its panic \
               handler calls a function that is nowhere, so it links only if no panic is left.",
         prove: panics::prove,
     },
@@ -76,7 +76,7 @@ const PROMISES: [Promise; 10] = [
     Promise {
         name: "soak",
         says: "Nothing wears.",
-        how: "10,000 frames of an animation on the M0+ and the M3 in QEMU (`boards/soak`): the checksum of each is \
+        how: "10,000 frames of an animation on the M0+ and the M3 in QEMU (`tests/rigs/soak`): the checksum of each is \
               that of the host, and the painted stack gets no deeper after the first loop of it, 54 frames.",
         prove: soak::prove,
     },

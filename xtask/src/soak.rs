@@ -2,14 +2,15 @@
 
 use anyhow::{Context, Result, ensure};
 use embedded_graphics_core::prelude::Size;
-use whitted::{SceneBuffer, Stage};
+use whitted::SceneBuffer;
+use whitted::animation::AnimatedScene;
 use whitted_sim::render;
 
 use crate::qemu::{Core, Machine};
 
-#[path = "../../boards/soak/src/frames.rs"]
+#[path = "../../tests/rigs/soak/src/frames.rs"]
 mod frames;
-#[path = "../../boards/motion/src/scene.rs"]
+#[path = "../../tests/rigs/motion/src/scene.rs"]
 #[allow(dead_code, reason = "its times and size are those of other firmware")]
 mod scene;
 
@@ -46,7 +47,7 @@ pub fn soak(core: Core, frames: u16) -> Result<u32> {
 /// Draws the same frames here.
 #[derive(Default)]
 struct Host {
-    stage: Box<Stage<5, 1>>,
+    stage: Box<AnimatedScene<5, 1>>,
     buffer: Box<SceneBuffer<5, 1, 5>>,
 }
 

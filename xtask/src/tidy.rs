@@ -32,7 +32,7 @@ pub fn run() -> Result<()> {
         let is_rust = path.extension().is_some_and(|extension| extension == "rs");
         if path.starts_with("src") && is_rust {
             library.push(Source::parse(&path, &text)?);
-        } else if path.starts_with("boards/nopanic/src") && is_rust {
+        } else if path.starts_with("tests/rigs/nopanic/src") && is_rust {
             callers.push(Source::parse(&path, &text)?);
         }
     }

@@ -42,7 +42,7 @@ fn the_stm32f405_shows_what_is_wrong_with_a_scene() -> Result<()> {
 
     let mut expected = Picture::new(LANDSCAPE);
     let text = "The scene in flash cannot be drawn: damaged or cut short: wrong checksum.";
-    page::write(&mut expected, &FONT_10X20, text)?;
+    message_page::write(&mut expected, &FONT_10X20, text)?;
     assert_equal(STM32F405_IN_QEMU, &shown, &expected);
     Ok(())
 }

@@ -6,7 +6,8 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, ensure};
 use embedded_graphics::pixelcolor::Gray4;
 use embedded_graphics::prelude::*;
-use whitted::{Camera, PreparedScene, Real, Renderer, Stage};
+use whitted::animation::AnimatedScene;
+use whitted::{Camera, PreparedScene, Real, Renderer};
 use whitted_sim::cost::{Model, Work};
 use whitted_sim::render;
 use whitted_sim::scene_file::{self, SceneFile};
@@ -17,7 +18,7 @@ use xtask::report::Report;
 use xtask::soak::soak;
 use xtask::{root, scenes, scratch_dir};
 
-#[path = "../../boards/motion/src/scene.rs"]
+#[path = "../../tests/rigs/motion/src/scene.rs"]
 mod moving;
 
 const OLED: Size = Size::new(128, 64);
@@ -287,7 +288,7 @@ fn every_core_draws_the_same_pictures() -> Result<()> {
 #[test]
 fn every_core_moves_alike() -> Result<()> {
     let [width, height] = moving::SIZE;
-    let mut stage = Box::new(Stage::<5, 1>::new());
+    let mut stage = Box::new(AnimatedScene::<5, 1>::new());
     let mut buffer = Box::new(scene_file::Buffer::new());
     let mut expected = Vec::new();
     for time in moving::TIMES {

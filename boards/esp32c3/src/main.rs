@@ -17,11 +17,13 @@ use esp_hal::timer::timg::{MwdtStage, TimerGroup};
 use esp_println::println;
 use mipidsi::options::{ColorInversion, Orientation, Rotation};
 use mipidsi::{Builder, interface::SpiInterface, models::ST7789};
-use whitted::{Drawing, Renderer, SceneBuffer, Step};
+use whitted::Renderer;
+use whitted::render::{RenderProgress, Step};
+use whitted::scene::SceneCounts;
 
 /// The scene, compiled.
 static SCENE: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/scene.bin"));
-const COUNTS: [usize; 3] = whitted::counts(SCENE);
+const COUNTS: SceneCounts = SceneCounts::of_compiled(SCENE);
 
 // What the second bootloader wants to know.
 esp_bootloader_esp_idf::esp_app_desc!();
@@ -59,12 +61,12 @@ fn main() -> ! {
     watchdog.set_timeout(MwdtStage::Stage0, Duration::from_secs(4));
     watchdog.enable();
 
-    let mut buffer = SceneBuffer::<{ COUNTS[0] }, { COUNTS[1] }, { COUNTS[2] }>::new();
+    let mut buffer = <whitted::scene_buffer!(COUNTS)>::new();
     match buffer.decode(SCENE) {
         Ok(scene) => {
             let mut renderer = Renderer::new(&scene, display.size());
             // In coarse blocks first.
-            let mut drawing = Drawing::progressive(display.bounding_box());
+            let mut drawing = RenderProgress::progressive(display.bounding_box());
             while !drawing.is_complete() {
                 match renderer.step(&mut drawing, Step::Line, &mut display) {
                     Ok(()) => watchdog.feed(),
@@ -78,7 +80,7 @@ fn main() -> ! {
         Err(error) => {
             println!("the scene in flash: {error}");
             let text = format_args!("The scene in flash cannot be drawn: {error}.");
-            _ = page::write(&mut display, &FONT_10X20, text);
+            _ = message_page::write(&mut display, &FONT_10X20, text);
         }
     }
 

@@ -21,7 +21,8 @@ use core::fmt::Write;
 use cortex_m_rt::entry;
 use embedded_graphics::{mono_font::ascii::FONT_5X8, prelude::*};
 use measure::{Checksum, Report};
-use whitted::{DecodeError, Drawing, PreparedScene, Real, Renderer, SceneBuffer, Step};
+use whitted::render::{RenderProgress, Step};
+use whitted::{DecodeError, PreparedScene, Real, Renderer};
 
 use board::Board;
 use buttons::Button;
@@ -36,8 +37,7 @@ const TURN: Real = Real::lit("15");
 #[entry]
 fn main() -> ! {
     // Room for a scene, and the display driver's copy of its pixels.
-    static mut BUFFER: SceneBuffer<{ COUNTS[0] }, { COUNTS[1] }, { COUNTS[2] }> =
-        SceneBuffer::new();
+    static mut BUFFER: whitted::scene_buffer!(COUNTS) = <whitted::scene_buffer!(COUNTS)>::new();
     static mut PIXELS: ssd0323::Pixels = ssd0323::BLACK;
 
     let mut board = Board::new(PIXELS);
@@ -77,7 +77,7 @@ fn orbit(scene: &mut PreparedScene<'_>, yaw: Real, pitch: Real) {
 /// about it on the UART; until a button is pressed.
 fn draw(scene: &PreparedScene<'_>, board: &mut Board) -> Button {
     let mut renderer = Renderer::new(scene, board.oled.size());
-    let mut drawing = Drawing::progressive(board.oled.bounding_box());
+    let mut drawing = RenderProgress::progressive(board.oled.bounding_box());
     let mut checksum = Checksum::default();
     board.stopwatch.restart();
     loop {
@@ -105,7 +105,7 @@ fn draw(scene: &PreparedScene<'_>, board: &mut Board) -> Button {
 #[inline(never)] // as above
 fn complain(error: DecodeError, board: &mut Board) {
     let text = format_args!("The scene in flash cannot be drawn: {error}.");
-    _ = page::write(&mut board.oled, &FONT_5X8, text);
+    _ = message_page::write(&mut board.oled, &FONT_5X8, text);
     _ = write!(board.uart, "error: {error}\n{}\n", measure::END);
     while !matches!(board.buttons.wait(), Button::Select) {}
 }

@@ -23,12 +23,14 @@ use embedded_hal_async::spi::SpiDevice;
 use embedded_hal_bus::spi::ExclusiveDevice;
 use mipidsi::options::{ColorOrder, Orientation, Rotation};
 use mipidsi::{Builder, interface::SpiInterface, models::ILI9341Rgb565};
-use whitted::{Drawing, Renderer, SceneBuffer, Step};
+use whitted::Renderer;
+use whitted::render::{RenderProgress, Step};
+use whitted::scene::SceneCounts;
 use {defmt_rtt as _, panic_probe as _};
 
 /// The scene, compiled.
 static SCENE: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/scene.bin"));
-const COUNTS: [usize; 3] = whitted::counts(SCENE);
+const COUNTS: SceneCounts = SceneCounts::of_compiled(SCENE);
 
 const WIDTH: usize = 320;
 const HEIGHT: u32 = 240;
@@ -71,13 +73,13 @@ async fn main(_spawner: Spawner) {
         defmt::panic!("the watchdog runs with other settings");
     };
 
-    let mut buffer = SceneBuffer::<{ COUNTS[0] }, { COUNTS[1] }, { COUNTS[2] }>::new();
+    let mut buffer = <whitted::scene_buffer!(COUNTS)>::new();
     let scene = match buffer.decode(SCENE) {
         Ok(scene) => scene,
         Err(error) => {
             error!("the scene in flash: {}", Display2Format(&error));
             let text = format_args!("The scene in flash cannot be drawn: {error}.");
-            _ = page::write(&mut display, &FONT_10X20, text);
+            _ = message_page::write(&mut display, &FONT_10X20, text);
             loop {
                 watchdog.pet();
             }
@@ -86,7 +88,7 @@ async fn main(_spawner: Spawner) {
     let mut renderer = Renderer::new(&scene, display.size());
 
     // First all of it in coarse blocks, which is 1/256 of the work.
-    let mut drawing = Drawing::progressive(display.bounding_box());
+    let mut drawing = RenderProgress::progressive(display.bounding_box());
     let coarse = renderer.step(&mut drawing, Step::Pass, &mut display);
     // Then the lines, by DMA: what is sent now goes to the whole window.
     let last = (WIDTH as u16 - 1, HEIGHT as u16 - 1);

@@ -20,7 +20,8 @@ use defmt::Display2Format;
 use embedded_graphics::{mono_font::ascii::FONT_10X20, prelude::*};
 use embedded_hal::digital::OutputPin;
 use rp2040_hal::entry;
-use whitted::{DecodeError, Drawing, PreparedScene, Real, Renderer, Step};
+use whitted::render::{RenderProgress, Step};
+use whitted::{DecodeError, PreparedScene, Real, Renderer};
 
 use board::{Board, Event, LineBuffer};
 use buttons::Button;
@@ -75,7 +76,7 @@ fn explore(scene: &mut PreparedScene<'_>, board: &mut Board) -> Event {
 /// Draws a picture, coarsely first, unless something is asked for meanwhile.
 fn draw(scene: &PreparedScene<'_>, board: &mut Board) -> Option<Event> {
     let mut renderer = Renderer::new(scene, board.display.size());
-    let mut drawing = Drawing::progressive(board.display.bounding_box());
+    let mut drawing = RenderProgress::progressive(board.display.bounding_box());
     let mut event = None;
     let Ok(()) = board.led.set_high();
     while !drawing.is_complete() && event.is_none() {
@@ -92,7 +93,7 @@ fn complain(error: DecodeError, board: &mut Board) -> Event {
     let text = format_args!("This scene cannot be drawn: {error}.");
     let Ok(()) = board.led.set_high();
     // A display that takes no text cannot be told anything.
-    _ = page::write(&mut board.display, &FONT_10X20, text);
+    _ = message_page::write(&mut board.display, &FONT_10X20, text);
     let Ok(()) = board.led.set_low();
     loop {
         let event = board.wait();

@@ -1,24 +1,21 @@
 //! The scenes: those in flash, compiled by `build.rs`, and one that came over USB.
 
 use heapless::Vec;
-use whitted::{DecodeError, SceneBuffer};
+use whitted::DecodeError;
+use whitted::scene::SceneCounts;
 
 use crate::usb;
 
 include!(concat!(env!("OUT_DIR"), "/scenes.rs"));
 
-/// How many objects, lights and materials a scene over USB may have.
-const SENT: [usize; 3] = [64, 8, 64];
+/// Capacity for a scene that is sent over USB.
+const SENT: SceneCounts = SceneCounts::EMPTY.objects(64).lights(8).materials(64);
 
-/// Room for any scene.
-pub(crate) type Buffer = SceneBuffer<{ most(0) }, { most(1) }, { most(2) }>;
+/// Capacity for any scene.
+const CAPACITY: SceneCounts = COUNTS.max(SENT);
 
-const fn most(item: usize) -> usize {
-    match COUNTS[item] > SENT[item] {
-        true => COUNTS[item],
-        false => SENT[item],
-    }
-}
+/// Memory for any scene.
+pub(crate) type Buffer = whitted::scene_buffer!(CAPACITY);
 
 /// The scenes in flash, and after them the one that came last over USB.
 pub(crate) struct Scenes {

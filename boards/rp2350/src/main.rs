@@ -16,12 +16,14 @@ use rp235x_hal::clocks::init_clocks_and_plls;
 use rp235x_hal::fugit::{ExtU32, RateExtU32};
 use rp235x_hal::gpio::{FunctionSpi, Pins};
 use rp235x_hal::{self as hal, Clock, Sio, Spi, Timer, Watchdog, pac};
-use whitted::{Drawing, Renderer, SceneBuffer, Step};
+use whitted::Renderer;
+use whitted::render::{RenderProgress, Step};
+use whitted::scene::SceneCounts;
 use {defmt_rtt as _, panic_probe as _};
 
 /// The scene, compiled.
 static SCENE: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/scene.bin"));
-const COUNTS: [usize; 3] = whitted::counts(SCENE);
+const COUNTS: SceneCounts = SceneCounts::of_compiled(SCENE);
 
 /// Tells the boot ROM that this is a program.
 #[unsafe(link_section = ".start_block")]
@@ -34,8 +36,7 @@ const CRYSTAL: u32 = 12_000_000;
 #[hal::entry]
 fn main() -> ! {
     // Room for the scene, and for pixels on their way to the display.
-    static mut BUFFER: SceneBuffer<{ COUNTS[0] }, { COUNTS[1] }, { COUNTS[2] }> =
-        SceneBuffer::new();
+    static mut BUFFER: whitted::scene_buffer!(COUNTS) = <whitted::scene_buffer!(COUNTS)>::new();
     static mut PIXELS: [u8; 640] = [0; 640];
 
     let mut chip = unwrap!(pac::Peripherals::take());
@@ -91,7 +92,7 @@ fn main() -> ! {
         Ok(scene) => {
             let mut renderer = Renderer::new(&scene, display.size());
             // In coarse blocks first.
-            let mut drawing = Drawing::progressive(display.bounding_box());
+            let mut drawing = RenderProgress::progressive(display.bounding_box());
             while !drawing.is_complete() {
                 match renderer.step(&mut drawing, Step::Line, &mut display) {
                     Ok(()) => watchdog.feed(),
@@ -105,7 +106,7 @@ fn main() -> ! {
         Err(error) => {
             error!("the scene in flash: {}", Display2Format(&error));
             let text = format_args!("The scene in flash cannot be drawn: {error}.");
-            _ = page::write(&mut display, &FONT_10X20, text);
+            _ = message_page::write(&mut display, &FONT_10X20, text);
         }
     }
 

@@ -10,20 +10,21 @@ mod board;
 use cortex_m_rt::entry;
 use defmt::{Display2Format, error, info};
 use embedded_graphics::{mono_font::ascii::FONT_10X20, prelude::*};
-use whitted::{Drawing, Renderer, SceneBuffer, Step};
+use whitted::Renderer;
+use whitted::render::{RenderProgress, Step};
+use whitted::scene::SceneCounts;
 use {defmt_rtt as _, panic_probe as _};
 
 use board::Board;
 
 /// The scene, compiled.
 static SCENE: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/scene.bin"));
-const COUNTS: [usize; 3] = whitted::counts(SCENE);
+const COUNTS: SceneCounts = SceneCounts::of_compiled(SCENE);
 
 #[entry]
 fn main() -> ! {
     // Room for the scene, and for pixels on their way to the display.
-    static mut BUFFER: SceneBuffer<{ COUNTS[0] }, { COUNTS[1] }, { COUNTS[2] }> =
-        SceneBuffer::new();
+    static mut BUFFER: whitted::scene_buffer!(COUNTS) = <whitted::scene_buffer!(COUNTS)>::new();
     static mut PIXELS: [u8; 640] = [0; 640];
 
     let mut board = Board::new(PIXELS);
@@ -32,7 +33,7 @@ fn main() -> ! {
         Ok(scene) => {
             let mut renderer = Renderer::new(&scene, display.size());
             // In coarse blocks first.
-            let mut drawing = Drawing::progressive(display.bounding_box());
+            let mut drawing = RenderProgress::progressive(display.bounding_box());
             while !drawing.is_complete() {
                 match renderer.step(&mut drawing, Step::Line, display) {
                     Ok(()) => board.watchdog.feed(),
@@ -46,7 +47,7 @@ fn main() -> ! {
         Err(error) => {
             error!("the scene in flash: {}", Display2Format(&error));
             let text = format_args!("The scene in flash cannot be drawn: {error}.");
-            _ = page::write(display, &FONT_10X20, text);
+            _ = message_page::write(display, &FONT_10X20, text);
         }
     }
     board.rest()

@@ -1,9 +1,8 @@
 use std::collections::BTreeMap;
 
 use embedded_graphics_core::geometry::Size;
-use whitted::{
-    Color, Node, Observer, PreparedScene, Radiance, RayKind, Renderer, ShapeKind, Stats,
-};
+use whitted::observer::{Observer, RayKind, RayNode, ShapeKind, Stats};
+use whitted::{Color, PreparedScene, Radiance, Renderer};
 
 use crate::render;
 
@@ -104,7 +103,7 @@ impl Work {
 
     /// Before the first ray: what decoding takes.
     pub fn new(scene: &PreparedScene<'_>) -> Self {
-        let [_, lights, _] = scene.counts().map(|count| count as u64);
+        let lights = scene.counts().lights as u64;
         let mut work = Self {
             lights,
             ..Self::default()
@@ -134,7 +133,7 @@ impl Observer for Work {
         self.stats.ray(kind);
         self.ray = Some(kind);
         match kind {
-            RayKind::Eye => {
+            RayKind::Camera => {
                 self.count(Place::Eye);
                 self.is_tested = false;
             }
@@ -150,14 +149,14 @@ impl Observer for Work {
     fn test(&mut self, shape: ShapeKind, met: bool) {
         use Place::*;
         self.stats.test(shape, met);
-        self.is_tested |= self.ray == Some(RayKind::Eye);
+        self.is_tested |= self.ray == Some(RayKind::Camera);
         let (test, way) = match (shape, self.ray, met) {
-            (ShapeKind::Sphere, Some(RayKind::Eye), true) => (EyeSphereMet, None),
-            (ShapeKind::Sphere, Some(RayKind::Eye), false) => (EyeSpherePassed, None),
+            (ShapeKind::Sphere, Some(RayKind::Camera), true) => (EyeSphereMet, None),
+            (ShapeKind::Sphere, Some(RayKind::Camera), false) => (EyeSpherePassed, None),
             (ShapeKind::Sphere, Some(RayKind::Shadow), _) => (SphereBetween, None),
             (ShapeKind::Sphere, ..) => (SphereTest, None),
-            (ShapeKind::Plane, Some(RayKind::Eye), true) => (EyePlaneMet, None),
-            (ShapeKind::Plane, Some(RayKind::Eye), false) => (EyePlanePassed, None),
+            (ShapeKind::Plane, Some(RayKind::Camera), true) => (EyePlaneMet, None),
+            (ShapeKind::Plane, Some(RayKind::Camera), false) => (EyePlanePassed, None),
             (ShapeKind::Plane, Some(RayKind::Shadow), _) => (PlaneBetween, Some(PlaneHides)),
             (ShapeKind::Plane, _, true) => (PlaneMet, None),
             (ShapeKind::Plane, _, false) => (PlanePassed, None),
@@ -174,41 +173,17 @@ impl Observer for Work {
         }
     }
 
-    fn bounds(&mut self, count: u32) {
-        let place = if self.ray == Some(RayKind::Shadow) {
-            Place::ShadowBound
-        } else {
-            Place::Bound
-        };
-        self.amounts[place as usize] += u64::from(count);
-    }
-
-    fn outline(&mut self, seen: bool) {
-        self.count(Place::Outline);
-        if seen {
-            self.count(Place::OutlineSeen);
-        }
-    }
-
-    fn sphere(&mut self) {
-        self.count(Place::FlakeSphere);
-    }
-
-    fn highlight(&mut self) {
-        self.count(Place::Highlight);
-    }
-
-    fn node(&mut self, node: &Node) {
+    fn node(&mut self, node: &RayNode) {
         let Some(material) = node.material else {
             self.misses += 1;
-            if node.kind != RayKind::Eye {
+            if node.kind != RayKind::Camera {
                 self.count(Place::Missing);
             }
             let first = *self.background.get_or_insert(node.local);
             self.is_gradient |= node.local != first;
             return;
         };
-        if node.kind == RayKind::Eye && !self.is_tested {
+        if node.kind == RayKind::Camera && !self.is_tested {
             self.count(Place::EyePlaneKept);
         }
         let met = self.met.entry(material).or_default();

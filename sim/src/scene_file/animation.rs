@@ -1,5 +1,6 @@
 use toml::de::DeValue;
-use whitted::{Interpolation, Key, Real, Vec3};
+use whitted::animation::{Interpolation, Keyframe};
+use whitted::{Real, Vec3};
 
 use super::error::LoadError;
 use super::example::example;
@@ -96,7 +97,7 @@ fn target<'t>(value: &Value<'_>, targets: &'t [Named]) -> Result<&'t Named, Load
 }
 
 /// `[time, value]`
-fn key(value: &Value<'_>, form: Form) -> Result<Key, LoadError> {
+fn key(value: &Value<'_>, form: Form) -> Result<Keyframe, LoadError> {
     let what = match form {
         Form::Point => "a key [time, [x, y, z]]",
         Form::Color => "a key [time, [r, g, b]]",
@@ -106,7 +107,7 @@ fn key(value: &Value<'_>, form: Form) -> Result<Key, LoadError> {
     let [time, value] = value.array(what)?;
     let is_list = matches!(value.node.get_ref(), DeValue::Array(_));
     let flat = |x, y| Vec3::new(x, y, Real::ZERO);
-    Ok(Key {
+    Ok(Keyframe {
         time: time.number()?,
         value: match form {
             Form::Point => value.vector()?,

@@ -1,6 +1,7 @@
 mod motion;
 
-use whitted::{Item, Problem, Real, SceneError};
+use whitted::scene::{SceneItem, SceneProblem};
+use whitted::{Real, SceneError};
 
 use super::error::LoadError;
 use super::example::example;
@@ -27,13 +28,13 @@ impl SceneFile {
         }
     }
 
-    fn path(&self, item: Item) -> String {
+    fn path(&self, item: SceneItem) -> String {
         match item {
-            Item::Scene => String::new(),
-            Item::Camera => "camera".to_owned(),
-            Item::Light(index) => format!("lights[{index}]"),
-            Item::Object(index) => format!("objects[{index}]"),
-            Item::Material(index) => match self.material_names.get(usize::from(index)) {
+            SceneItem::Scene => String::new(),
+            SceneItem::Camera => "camera".to_owned(),
+            SceneItem::Light(index) => format!("lights[{index}]"),
+            SceneItem::Object(index) => format!("objects[{index}]"),
+            SceneItem::Material(index) => match self.material_names.get(usize::from(index)) {
                 Some(name) => format!("materials.{name}"),
                 None => "materials".to_owned(),
             },
@@ -59,25 +60,25 @@ fn child(path: &str, key: &str) -> String {
     }
 }
 
-fn reason(problem: Problem, entry: Option<&Entry>) -> String {
+fn reason(problem: SceneProblem, entry: Option<&Entry>) -> String {
     match (problem, entry) {
-        (Problem::OutOfRange { .. }, Some(entry)) => format!("{problem}, not {}", entry.text),
+        (SceneProblem::OutOfRange { .. }, Some(entry)) => format!("{problem}, not {}", entry.text),
         _ => problem.to_string(),
     }
 }
 
-fn help(problem: Problem, key: &str) -> Option<String> {
+fn help(problem: SceneProblem, key: &str) -> Option<String> {
     let name = key.rsplit('.').next().unwrap_or_default();
     // An array's element is shown in its array.
     let name = name.split('[').next().unwrap_or_default();
     let example = example(name);
     Some(match problem {
-        Problem::NoView => "move one of the two".to_owned(),
-        Problem::AlongView => "give another `up`, or move `eye` or `look_at`".to_owned(),
-        Problem::EmptyInterval => "write the lower end first: [low, high]".to_owned(),
-        Problem::TooMany { .. } => "leave some out".to_owned(),
+        SceneProblem::NoView => "move one of the two".to_owned(),
+        SceneProblem::AlongView => "give another `up`, or move `eye` or `look_at`".to_owned(),
+        SceneProblem::EmptyInterval => "write the lower end first: [low, high]".to_owned(),
+        SceneProblem::TooMany { .. } => "leave some out".to_owned(),
         _ if example.is_empty() => return None,
-        Problem::OutOfRange { least, most } => match nearest(example, least, most) {
+        SceneProblem::OutOfRange { least, most } => match nearest(example, least, most) {
             Some(end) => format!("write for example `{name} = {end}`"),
             None => format!("write for example `{example}`"),
         },

@@ -39,7 +39,7 @@ impl SceneFile {
     }
 
     /// Prepares the scene; what is wrong with a value is explained by its line.
-    pub fn prepare<'b>(&self, buffer: &'b mut Buffer) -> Result<PreparedScene<'b>, LoadError> {
+    pub fn prepare<'b>(&'b self, buffer: &'b mut Buffer) -> Result<PreparedScene<'b>, LoadError> {
         buffer
             .prepare(&self.scene())
             .map_err(|error| self.explain(error))

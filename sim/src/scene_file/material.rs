@@ -1,5 +1,6 @@
 use toml::de::DeValue;
-use whitted::{Color, Material, MaterialId, Real, Shading, ior};
+use whitted::scene::{SpecularModel, ior};
+use whitted::{Color, Material, MaterialId, Real};
 
 use super::error::LoadError;
 use super::keys::{Keys, Kind};
@@ -67,10 +68,10 @@ fn index_of_refraction(value: &Value<'_>) -> Result<Real, LoadError> {
 }
 
 /// A highlight model by its name.
-pub(super) fn shading(value: &Value<'_>) -> Result<Shading, LoadError> {
+pub(super) fn shading(value: &Value<'_>) -> Result<SpecularModel, LoadError> {
     let choices = [
-        ("phong", Shading::Phong),
-        ("blinn-phong", Shading::BlinnPhong),
+        ("phong", SpecularModel::Phong),
+        ("blinn-phong", SpecularModel::BlinnPhong),
     ];
     value.choice(&choices, "a shading model", "the models are")
 }

@@ -1,10 +1,11 @@
-use whitted::{Animation, Interpolation, Key, Real, Scene, Target, Track};
+use whitted::animation::{Animation, Interpolation, Keyframe, Target, Track};
+use whitted::{Real, Scene};
 
 use super::error::LoadError;
 use super::file::SceneFile;
 
 /// Room for any scene file that moves.
-pub type Stage = whitted::Stage<256, 16>;
+pub type Stage = whitted::animation::AnimatedScene<256, 16>;
 
 /// The `[animation]` of a scene file.
 #[derive(Clone, Debug)]
@@ -21,7 +22,7 @@ pub struct Motion {
 pub(super) struct Move {
     pub(super) target: Target,
     pub(super) interpolation: Interpolation,
-    pub(super) keys: Vec<Key>,
+    pub(super) keys: Vec<Keyframe>,
 }
 
 impl Move {
@@ -43,7 +44,10 @@ impl Motion {
             moves: vec![Move {
                 target: Target::CameraOrbit,
                 interpolation: Interpolation::Linear,
-                keys: vec![Key::angles("0", "0", "0"), Key::angles("4", "360", "0")],
+                keys: vec![
+                    Keyframe::angles("0", "0", "0"),
+                    Keyframe::angles("4", "360", "0"),
+                ],
             }],
         }
     }

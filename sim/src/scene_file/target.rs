@@ -1,4 +1,5 @@
-use whitted::{Object, Shape, Target};
+use whitted::animation::Target;
+use whitted::{Object, Shape};
 
 use super::value::Value;
 

@@ -1,4 +1,5 @@
-use whitted::{Axis, Texture};
+use whitted::Texture;
+use whitted::scene::Axis;
 
 use super::error::LoadError;
 use super::keys::{Keys, Kind};

@@ -6,7 +6,8 @@ use anyhow::{Context, Result, ensure};
 use embedded_graphics_core::geometry::Size;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
-use whitted::{Renderer, Stats};
+use whitted::Renderer;
+use whitted::observer::Stats;
 use whitted_sim::{render, scene_file};
 
 use super::subject::Subject;
@@ -126,7 +127,7 @@ fn on_this_machine(subject: Subject) -> Result<(u64, String)> {
     let mut renderer = Renderer::with_observer(&scene, size, Stats::default());
     let picture = render::trace(&mut renderer, |_| {});
     let rays = renderer.observer();
-    let queries = [rays.eye, rays.reflected, rays.transmitted, rays.shadow];
+    let queries = [rays.camera, rays.reflected, rays.transmitted, rays.shadow];
     let checksum = format!("{:08x}", render::checksum(&picture));
     Ok((queries.into_iter().map(u64::from).sum(), checksum))
 }

@@ -27,7 +27,7 @@ Instructions of a frame, counted by QEMU (`-icount`): the compiled scene is deco
 `Rgb565` display that throws its pixels away. They are the same in every run, and the picture is checked to be that
 of this machine, bit for bit. A query is an eye, reflected, transmitted or shadow ray.
 
-*float* is the same scene, size, core and display in plain `f32` ([`boards/float`](../boards/float)): floats and
+*float* is the same scene, size, core and display in plain `f32` ([`tests/rigs/float`](../tests/rigs/float)): floats and
 roots in hardware on the M4F, M7 and M33, by Rust's own routines on the M0+ and M3. There it is counted at half the
 width and height, at a quarter for the sphereflake, and scaled by the pixels. *times* is how many times the
 instructions of the fixed point that takes; below 1, floats win.

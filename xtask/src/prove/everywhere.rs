@@ -80,7 +80,7 @@ fn risc_v(pictures: &[Picture]) -> Result<()> {
     tools::program(QEMU, "sudo apt-get install qemu-system-misc")?;
     let mut build = cargo();
     // In its own folder, where its memory.x is.
-    build.current_dir(root().join("boards/virt"));
+    build.current_dir(root().join("tests/rigs/virt"));
     build.env("CARGO_TARGET_DIR", target_dir());
     run(build.args(["build", "--quiet", "--release", "--target", RISCV]))?;
     let elf = target_dir().join(RISCV).join("release/virt");
@@ -118,7 +118,7 @@ fn wasm(pictures: &[Picture]) -> Result<()> {
     run(build.args(["--package", "wasm", "--target", WASM]))?;
     let module = target_dir().join(WASM).join(PROFILE).join("wasm.wasm");
     let mut node = command("node");
-    node.arg("boards/wasm/checksum.mjs").arg(module);
+    node.arg("tests/rigs/wasm/checksum.mjs").arg(module);
     node.args([SIZE.width.to_string(), SIZE.height.to_string()]);
     node.args(pictures.iter().map(|picture| &picture.compiled));
     let output = node.output()?;

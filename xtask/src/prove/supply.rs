@@ -43,7 +43,7 @@ pub(super) fn prove() -> Result<String> {
 
 /// The workspace, and what is one of its own.
 fn workspaces() -> impl Iterator<Item = PathBuf> {
-    let apart = ["boards/virt", "fuzz"].map(|folder| root().join(folder));
+    let apart = ["tests/rigs/virt", "fuzz"].map(|folder| root().join(folder));
     let boards = board::all().map(Board::folder);
     iter::once(root().to_owned()).chain(boards).chain(apart)
 }

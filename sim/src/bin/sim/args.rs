@@ -2,7 +2,8 @@ use std::path::PathBuf;
 
 use clap::{Parser, Subcommand, ValueEnum, value_parser};
 use embedded_graphics::geometry::Size;
-use whitted::{Output, Real, Samples};
+use whitted::Real;
+use whitted::render::{Output, SampleCount};
 
 use crate::display::Display;
 
@@ -195,12 +196,12 @@ impl Shown {
     pub(crate) fn output(self) -> Output {
         Output {
             transfer: match self.transfer {
-                Transfer::Linear => whitted::Transfer::Linear,
-                Transfer::Srgb => whitted::Transfer::Srgb,
+                Transfer::Linear => whitted::render::Transfer::Linear,
+                Transfer::Srgb => whitted::render::Transfer::Srgb,
             },
             dither: match self.dither {
-                Dither::On => whitted::Dither::Ordered,
-                Dither::Off => whitted::Dither::Off,
+                Dither::On => whitted::render::Dither::Ordered,
+                Dither::Off => whitted::render::Dither::Off,
             },
         }
     }
@@ -224,7 +225,7 @@ impl Passes {
     const ALL: u8 = 5;
 
     /// How edges are smoothed.
-    pub(crate) fn samples(&self) -> Option<Samples> {
+    pub(crate) fn samples(&self) -> Option<SampleCount> {
         self.antialias.map(Into::into)
     }
 
@@ -288,7 +289,7 @@ enum Antialias {
     Sixteen,
 }
 
-impl From<Antialias> for Samples {
+impl From<Antialias> for SampleCount {
     fn from(antialias: Antialias) -> Self {
         match antialias {
             Antialias::Four => Self::Four,

@@ -5,7 +5,8 @@ use std::time::Duration;
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics_simulator::{OutputImage, OutputSettings};
-use whitted::{Antialiased, Drawing as Steps, PreparedScene, Renderer, Sample, Step};
+use whitted::render::{AaSample, AntialiasedRenderer, RenderProgress as Steps, Step};
+use whitted::{PreparedScene, Renderer};
 
 use whitted_sim::cost::Work;
 
@@ -49,7 +50,8 @@ pub(crate) fn frame(
         None => draw_passes(scene, shown, passes, &mut panel, progress)?,
         Some(samples) => {
             let (work, mut memory) = (Work::new(scene), two_lines(size));
-            let mut renderer = Antialiased::with_observer(scene, size, samples, &mut memory, work)?;
+            let mut renderer =
+                AntialiasedRenderer::with_observer(scene, size, samples, &mut memory, work)?;
             renderer.set_output(shown.output());
             for y in 0..size.height {
                 renderer.draw_line(y, &mut panel)?;
@@ -86,6 +88,6 @@ fn draw_passes(
 }
 
 /// The memory that smooth edges take.
-pub(crate) fn two_lines(size: Size) -> Vec<Sample> {
-    vec![Sample::BLACK; 2 * size.width as usize]
+pub(crate) fn two_lines(size: Size) -> Vec<AaSample> {
+    vec![AaSample::BLACK; 2 * size.width as usize]
 }

@@ -8,7 +8,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use embedded_graphics::geometry::Size;
-use whitted::Stats;
+use whitted::observer::Stats;
 use whitted_sim::scene_file::Buffer;
 
 use crate::args::{Gallery, Passes, Shown};
@@ -63,7 +63,7 @@ fn render(scene: &Scene, size: Size) -> Outcome<Drawing> {
 
 fn rays(stats: &Stats) -> u64 {
     let Stats {
-        eye,
+        camera: eye,
         reflected,
         transmitted,
         shadow,

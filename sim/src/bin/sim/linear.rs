@@ -3,7 +3,8 @@
 use std::time::Duration;
 
 use embedded_graphics::geometry::Size;
-use whitted::{Antialiased, PreparedScene, Renderer, Samples};
+use whitted::render::{AntialiasedRenderer, SampleCount};
+use whitted::{PreparedScene, Renderer};
 use whitted_sim::cost::Work;
 use whitted_sim::picture::Picture;
 use whitted_sim::render;
@@ -23,7 +24,7 @@ pub(crate) struct Linear {
 pub(crate) fn linear(
     scene: &PreparedScene<'_>,
     size: Size,
-    samples: Option<Samples>,
+    samples: Option<SampleCount>,
 ) -> Outcome<Linear> {
     let mut progress = Progress::new(size.height);
     let work = Work::new(scene);
@@ -35,7 +36,8 @@ pub(crate) fn linear(
         }
         Some(samples) => {
             let mut memory = two_lines(size);
-            let mut renderer = Antialiased::with_observer(scene, size, samples, &mut memory, work)?;
+            let mut renderer =
+                AntialiasedRenderer::with_observer(scene, size, samples, &mut memory, work)?;
             let picture = render::lines(size, |y, line| {
                 renderer.render_line(y, line);
                 progress.line();

@@ -47,7 +47,7 @@ impl Scene {
     }
 
     /// The scene ready to be rendered.
-    pub(crate) fn prepare<'b>(&self, buffer: &'b mut Buffer) -> Outcome<PreparedScene<'b>> {
+    pub(crate) fn prepare<'b>(&'b self, buffer: &'b mut Buffer) -> Outcome<PreparedScene<'b>> {
         match self {
             Self::File(file) => Ok(file.prepare(buffer)?),
             Self::Compiled { name, bytes } => {
@@ -60,7 +60,7 @@ impl Scene {
 
     /// The scene ready to be rendered, with the options that overrule it.
     pub(crate) fn prepare_for<'b>(
-        &self,
+        &'b self,
         quality: &Quality,
         buffer: &'b mut Buffer,
     ) -> Outcome<PreparedScene<'b>> {

@@ -8,7 +8,8 @@ use embedded_graphics::pixelcolor::{
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics_simulator::SimulatorDisplay;
-use whitted::{Color, Output, Radiance};
+use whitted::render::Output;
+use whitted::{Color, Radiance};
 
 use crate::args::Format;
 
@@ -30,9 +31,9 @@ impl PixelColor for Light {
     type Raw = ();
 }
 
-impl whitted::Pixel for Light {
+impl whitted::render::DisplayColor for Light {
     #[inline]
-    fn show(color: Color<Radiance>, at: Point, output: Output) -> Self {
+    fn from_radiance(color: Color<Radiance>, at: Point, output: Output) -> Self {
         Self { color, at, output }
     }
 }
@@ -52,8 +53,8 @@ impl Light {
         }
     }
 
-    fn shown<C: whitted::Pixel + Into<Rgb888>>(self) -> Rgb888 {
-        C::show(self.color, self.at, self.output).into()
+    fn shown<C: whitted::render::DisplayColor + Into<Rgb888>>(self) -> Rgb888 {
+        C::from_radiance(self.color, self.at, self.output).into()
     }
 }
 

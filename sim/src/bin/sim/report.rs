@@ -3,7 +3,7 @@ use std::time::Duration;
 
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics_simulator::OutputImage;
-use whitted::Stats;
+use whitted::observer::Stats;
 use whitted_sim::cost::Work;
 
 use crate::boards;
@@ -27,7 +27,7 @@ pub(crate) fn save(image: &OutputImage<Rgb888>, path: &Path) -> Outcome {
 /// Prints what a rendering took.
 pub(crate) fn stats(work: &Work, time: Duration) -> Outcome {
     let Stats {
-        eye,
+        camera: eye,
         reflected,
         transmitted,
         shadow,

@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::Path;
 
+use whitted::scene::SceneCounts;
 use whitted_sim::scene_file::Buffer;
 
 use crate::memory::memory;
@@ -15,17 +16,25 @@ pub(crate) fn check(path: &Path) -> Outcome {
     let mut buffer = Box::new(Buffer::new());
     let prepared = scene.prepare(&mut buffer)?;
     let counts = prepared.counts();
-    let names = ["object", "light", "material"];
-    let counted: Vec<_> = counts.into_iter().zip(names).map(count).collect();
+    let SceneCounts {
+        objects,
+        lights,
+        materials,
+        ..
+    } = counts;
+    let counted = [
+        count(objects, "object"),
+        count(lights, "light"),
+        count(materials, "material"),
+    ];
     println!("{}: ok, {}", path.display(), counted.join(", "));
-    let [objects, lights, materials] = counts;
     let bytes = memory(counts);
     println!("prepared: {bytes} bytes, SceneBuffer<{objects}, {lights}, {materials}>");
     println!("compiled: {} bytes", prepared.encoded_len());
     Ok(())
 }
 
-fn count((count, name): (usize, &str)) -> String {
+fn count(count: usize, name: &str) -> String {
     let plural = if count == 1 { "" } else { "s" };
     format!("{count} {name}{plural}")
 }

@@ -1,4 +1,6 @@
-use whitted::{AnimationError, AnimationProblem, Item, Real, SceneError, Target};
+use whitted::animation::{AnimationError, AnimationProblem, Target};
+use whitted::scene::SceneItem;
+use whitted::{Real, SceneError};
 
 use crate::scene_file::error::LoadError;
 use crate::scene_file::example::example;
@@ -59,14 +61,14 @@ impl SceneFile {
 fn is_about(error: &SceneError, target: Target) -> bool {
     let SceneError { item, field, .. } = *error;
     match target {
-        Target::CameraOrbit => item == Item::Camera,
-        Target::CameraEye => item == Item::Camera && field == "eye",
-        Target::CameraLookAt => item == Item::Camera && field == "look_at",
-        Target::CameraFovy => item == Item::Camera && field == "fovy_deg",
-        Target::ObjectPosition(object) => item == Item::Object(object) && field != "radius",
-        Target::ObjectRadius(object) => item == Item::Object(object) && field == "radius",
-        Target::LightPosition(light) => item == Item::Light(light) && field == "position",
-        Target::LightColor(light) => item == Item::Light(light) && field != "position",
+        Target::CameraOrbit => item == SceneItem::Camera,
+        Target::CameraEye => item == SceneItem::Camera && field == "eye",
+        Target::CameraLookAt => item == SceneItem::Camera && field == "look_at",
+        Target::CameraFovy => item == SceneItem::Camera && field == "fovy_deg",
+        Target::ObjectPosition(object) => item == SceneItem::Object(object) && field != "radius",
+        Target::ObjectRadius(object) => item == SceneItem::Object(object) && field == "radius",
+        Target::LightPosition(light) => item == SceneItem::Light(light) && field == "position",
+        Target::LightColor(light) => item == SceneItem::Light(light) && field != "position",
         _ => false,
     }
 }

@@ -1,4 +1,5 @@
-use whitted::{Bounds, Shape};
+use whitted::Shape;
+use whitted::scene::ClipBox;
 
 use super::Form;
 use crate::scene_file::error::LoadError;
@@ -29,14 +30,14 @@ const BOUNDS: Kind = Kind {
     keys: &["x", "y", "z"],
 };
 
-fn bounds(keys: &Keys<'_>) -> Result<Bounds, LoadError> {
+fn bounds(keys: &Keys<'_>) -> Result<ClipBox, LoadError> {
     let Some(value) = keys.get("bounds") else {
-        return Ok(Bounds::NONE);
+        return Ok(ClipBox::NONE);
     };
     let keys = Keys::of(&value, "a table of intervals")?;
     keys.only(BOUNDS)?;
     let interval = |key| keys.get(key).map(|value| value.interval()).transpose();
-    Ok(Bounds {
+    Ok(ClipBox {
         x: interval("x")?,
         y: interval("y")?,
         z: interval("z")?,

@@ -6,7 +6,8 @@ use std::fmt::Write;
 
 use anyhow::Result;
 use embedded_graphics_core::geometry::Size;
-use whitted::{Node, Observer, RayKind, Renderer, ShapeKind, Stats};
+use whitted::Renderer;
+use whitted::observer::{Observer, RayKind, RayNode, ShapeKind, Stats};
 use whitted_sim::{render, scene_file};
 
 /// Spheres a side: 1 to 256 in all.
@@ -133,7 +134,7 @@ impl Seen {
     /// Rays of all kinds.
     pub(super) fn queries(&self) -> u64 {
         let Stats {
-            eye,
+            camera: eye,
             reflected,
             transmitted,
             shadow,
@@ -155,10 +156,10 @@ impl Observer for Seen {
         self.stats.test(shape, met);
     }
 
-    fn node(&mut self, node: &Node) {
-        if let (RayKind::Eye, Some(object)) = (node.kind, node.object) {
+    fn node(&mut self, node: &RayNode) {
+        if let (RayKind::Camera, Some(object)) = (node.kind, node.object) {
             // One ray for each pixel so far, in the order of the lines.
-            let line = (self.stats.eye - 1) / PIXELS.width;
+            let line = (self.stats.camera - 1) / PIXELS.width;
             self.on_lines.insert((line, object));
         }
     }
@@ -187,7 +188,7 @@ mod tests {
     fn each_picture_adds_a_kind_of_ray() -> Result<()> {
         let [eye, shadow, all] = Rays::ALL.map(|rays| seen(2, rays).map(|seen| seen.stats));
         let (eye, shadow, all) = (eye?, shadow?, all?);
-        assert_eq!((eye.eye, eye.shadow, eye.reflected), (76_800, 0, 0));
+        assert_eq!((eye.camera, eye.shadow, eye.reflected), (76_800, 0, 0));
         assert!(shadow.shadow > 0 && shadow.reflected == 0);
         assert!(all.shadow > shadow.shadow && all.reflected > 0);
         Ok(())

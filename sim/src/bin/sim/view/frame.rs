@@ -1,7 +1,8 @@
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics_simulator::SimulatorDisplay;
-use whitted::{Antialiased, Drawing, Output, PreparedScene, Renderer, Samples, Step};
+use whitted::render::{AntialiasedRenderer, Output, RenderProgress, SampleCount, Step};
+use whitted::{PreparedScene, Renderer};
 use whitted_sim::cost::Work;
 
 use crate::args::Order;
@@ -17,9 +18,9 @@ const STEP: Step = Step::Rays(2000);
 pub(super) struct Frame {
     panel: Panel,
     display: Display,
-    drawing: Drawing,
+    drawing: RenderProgress,
     /// How edges are to be smoothed once all else is drawn.
-    edges: Option<Samples>,
+    edges: Option<SampleCount>,
     /// What was asked for so far.
     pub(super) work: Work,
     /// Bytes that the scene takes.
@@ -33,7 +34,7 @@ impl Frame {
     pub(super) fn new(display: Display) -> Self {
         let panel = Panel::new(display.size, display.format);
         Self {
-            drawing: Drawing::scanlines(panel.bounding_box()),
+            drawing: RenderProgress::scanlines(panel.bounding_box()),
             panel,
             display,
             edges: None,
@@ -48,12 +49,12 @@ impl Frame {
         &mut self,
         scene: &PreparedScene<'_>,
         order: Order,
-        edges: Option<Samples>,
+        edges: Option<SampleCount>,
     ) {
         let area = self.panel.bounding_box();
         self.drawing = match order {
-            Order::Progressive => Drawing::progressive(area),
-            Order::Scanlines => Drawing::scanlines(area),
+            Order::Progressive => RenderProgress::progressive(area),
+            Order::Scanlines => RenderProgress::scanlines(area),
         };
         self.edges = edges;
         self.work = Work::new(scene);
@@ -61,7 +62,8 @@ impl Frame {
         self.renderer = match edges {
             None => size_of::<Renderer<'_>>(),
             Some(_) => {
-                size_of::<Antialiased<'_, '_>>() + size_of_val(&*two_lines(self.panel.size()))
+                size_of::<AntialiasedRenderer<'_, '_>>()
+                    + size_of_val(&*two_lines(self.panel.size()))
             }
         };
     }
@@ -86,7 +88,7 @@ impl Frame {
         };
         let (size, work) = (self.panel.size(), Work::new(scene));
         let mut lines = two_lines(size);
-        let smooth = Antialiased::with_observer(scene, size, samples, &mut lines, work);
+        let smooth = AntialiasedRenderer::with_observer(scene, size, samples, &mut lines, work);
         // A picture of the largest size is too large, and keeps its edges.
         if let Ok(mut smooth) = smooth {
             smooth.set_output(output);
@@ -111,6 +113,6 @@ impl Frame {
         let Size { width, height } = self.panel.size();
         let pixels = u64::from(width) * u64::from(height);
         // Smooth edges take several rays a pixel.
-        (u64::from(self.work.stats.eye) * 100 / pixels).min(100)
+        (u64::from(self.work.stats.camera) * 100 / pixels).min(100)
     }
 }

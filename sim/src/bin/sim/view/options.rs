@@ -1,6 +1,6 @@
 use clap::ValueEnum;
 use embedded_graphics::geometry::Size;
-use whitted::{Dither, Output, Samples, Transfer};
+use whitted::render::{Dither, Output, SampleCount, Transfer};
 use whitted_sim::cost::{BOARDS, Board};
 
 use super::cycle::Cycle;
@@ -14,7 +14,7 @@ pub(super) struct Options {
     pub(super) dithers: Cycle<Dither>,
     pub(super) transfers: Cycle<Transfer>,
     /// What is done about edges.
-    pub(super) edges: Cycle<Option<Samples>>,
+    pub(super) edges: Cycle<Option<SampleCount>>,
     pub(super) boards: Cycle<Board>,
 }
 
@@ -27,7 +27,7 @@ impl Options {
             orders: Cycle::new(Order::Progressive, [Order::Scanlines]),
             dithers: Cycle::new(Dither::Ordered, [Dither::Off]),
             transfers: Cycle::new(Transfer::Linear, [Transfer::Srgb]),
-            edges: Cycle::new(None, [Some(Samples::Four), Some(Samples::Sixteen)]),
+            edges: Cycle::new(None, [Some(SampleCount::Four), Some(SampleCount::Sixteen)]),
             boards: Cycle::new(board, boards),
         }
     }
@@ -67,8 +67,8 @@ impl Options {
         };
         let edges = match self.edges.current() {
             None => "jagged",
-            Some(Samples::Four) => "4 rays at edges",
-            Some(Samples::Sixteen) => "16 rays at edges",
+            Some(SampleCount::Four) => "4 rays at edges",
+            Some(SampleCount::Sixteen) => "16 rays at edges",
         };
         let (name, format) = (display.name, format_name(display.format));
         format!("{name} {width}x{height} {format}, {dither}, {transfer}, {edges}, {order}")

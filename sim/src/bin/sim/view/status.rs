@@ -5,7 +5,7 @@ use embedded_graphics::mono_font::iso_8859_1::FONT_6X13;
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::text::{Baseline, Text};
-use whitted::Stats;
+use whitted::observer::Stats;
 use whitted_sim::cost::{Board, Model, Work};
 
 use super::keys::HELP;
@@ -99,7 +99,7 @@ impl Status<'_> {
     /// What was asked for so far, and how long that takes.
     fn work(&self) -> String {
         let Stats {
-            eye,
+            camera: eye,
             reflected,
             transmitted,
             shadow,

@@ -232,11 +232,11 @@ fn edges_are_smoothed_once_all_else_is_drawn() -> Outcome {
     let here = Directory::new("edges")?;
     let mut workbench = workbench(&[here.write("scene.toml", SCENE)?], "ssd0323")?;
     let jagged = drawn(&mut workbench);
-    let few = workbench.status().work.stats.eye;
+    let few = workbench.status().work.stats.camera;
     workbench.press(Key::Antialiasing);
     let smooth = drawn(&mut workbench);
     assert!(smooth != jagged);
-    assert!(workbench.status().work.stats.eye > few);
+    assert!(workbench.status().work.stats.camera > few);
     assert_eq!(workbench.status().percent, 100);
     for _ in 0..2 {
         workbench.press(Key::Antialiasing);

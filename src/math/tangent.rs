@@ -1,0 +1,52 @@
+//! A tangent without floats.
+
+use crate::math::{Real, reciprocal, wide};
+
+/// Steps of 2^-60.
+const ONE: i64 = 1 << 60;
+
+#[inline(never)]
+fn multiply(a: i64, b: i64) -> i64 {
+    ((i128::from(a) * i128::from(b)) >> 60) as i64
+}
+
+/// tan(angle / 2) for an angle of 1 to 170 degrees, as `U4F28`.
+///
+/// Sine and cosine by their Taylor series, to 2^-55; the quotient to 2^-28.
+pub(crate) fn tangent_of_half(degrees: Real) -> u32 {
+    const PI_BY_360: i64 = ((fixed::consts::PI.to_bits() / 360) >> 66) as i64;
+    // Q32 * Q60 -> Q60
+    let x = ((i128::from(degrees.to_bits()) * i128::from(PI_BY_360)) >> 32) as i64;
+    let square = multiply(x, x);
+    // 1 - x²/(k(k+1)) (1 - x²/((k+2)(k+3)) (1 - ...))
+    let series = |first: i64| {
+        (0..12)
+            .rev()
+            .map(|i| first + 2 * i)
+            .fold(ONE, |sum, k| ONE - multiply(square, sum) / (k * (k + 1)))
+    };
+    let (sine, cosine) = (multiply(x, series(2)), series(1));
+    let shift = cosine.leading_zeros();
+    let inverse = reciprocal((((cosine as u64) << shift) >> 32) as u32);
+    // Q60 -> Q31, * U1F31 * 2^(shift - 4) -> Q28
+    let product = wide((sine >> 29) as u32, inverse);
+    (((product >> (37 - shift)) + 1) >> 1) as u32
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+    use super::*;
+
+    #[test]
+    fn tangents_agree_with_std() {
+        for degrees in 1..=170_i32 {
+            let exact = (f64::from(degrees) / 2.0).to_radians().tan();
+            let got = f64::from(tangent_of_half(Real::from(degrees))) / 2_f64.powi(28);
+            assert!(
+                (got - exact).abs() < 2_f64.powi(-27) * (1.0 + exact),
+                "{degrees}: {got} {exact}"
+            );
+        }
+    }
+}

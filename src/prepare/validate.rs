@@ -1,0 +1,161 @@
+//! What may be in a scene.
+
+mod shape;
+
+use crate::math::{Color, Factor, Real, factor};
+use crate::prepare::MAX_DEPTH;
+use crate::scene::{
+    Background, Camera, Light, Material, MaterialId, Object, Scene, SceneError, SceneItem,
+    SceneProblem, Texture,
+};
+
+use crate::geometry::limits::{FARTHEST, SMALLEST, fail, point, range};
+use shape::shape;
+
+/// The brightest light, emission, ambient light or background.
+const BRIGHTEST: Real = Real::lit("256");
+
+fn color(
+    item: SceneItem,
+    field: &'static str,
+    color: Color<Real>,
+    most: Real,
+) -> Result<(), SceneError> {
+    [color.r, color.g, color.b]
+        .into_iter()
+        .try_for_each(|c| range(item, field, c, [Real::ZERO, most]))
+}
+
+/// Checks all that does not depend on the scene's scale.
+pub(super) fn scene(scene: &Scene<'_>) -> Result<(), SceneError> {
+    max_depth(scene.max_depth)?;
+    min_weight(scene.min_weight)?;
+    color(SceneItem::Scene, "ambient", scene.ambient, BRIGHTEST)?;
+    match scene.background {
+        Background::Solid(solid) => color(SceneItem::Scene, "background", solid, BRIGHTEST)?,
+        Background::Gradient { horizon, zenith } => {
+            color(SceneItem::Scene, "background.horizon", horizon, BRIGHTEST)?;
+            color(SceneItem::Scene, "background.zenith", zenith, BRIGHTEST)?;
+        }
+    }
+    camera(&scene.camera)?;
+    countable("lights", scene.lights.len())?;
+    countable("materials", scene.materials.len())?;
+    countable("objects", scene.objects.len())?;
+    for (it, index) in scene.lights.iter().zip(0..) {
+        light(SceneItem::Light(index), it)?;
+    }
+    for (it, index) in scene.materials.iter().zip(0..) {
+        material(SceneItem::Material(index), it)?;
+    }
+    for (it, index) in scene.objects.iter().zip(0..) {
+        object(SceneItem::Object(index), it, scene.materials.len())?;
+    }
+    Ok(())
+}
+
+/// Items are numbered by 16 bits.
+fn countable(list: &'static str, length: usize) -> Result<(), SceneError> {
+    let capacity = u16::MAX;
+    if length > usize::from(capacity) {
+        return fail(SceneItem::Scene, list, SceneProblem::TooMany { capacity });
+    }
+    Ok(())
+}
+
+pub(crate) fn max_depth(max_depth: u8) -> Result<u8, SceneError> {
+    range(
+        SceneItem::Scene,
+        "max_depth",
+        max_depth.into(),
+        [Real::ZERO, MAX_DEPTH.into()],
+    )?;
+    Ok(max_depth)
+}
+
+pub(crate) fn min_weight(min_weight: Real) -> Result<Factor, SceneError> {
+    range(
+        SceneItem::Scene,
+        "min_weight",
+        min_weight,
+        [Real::ZERO, Real::ONE],
+    )?;
+    Ok(factor(min_weight, 0))
+}
+
+pub(super) fn camera(camera: &Camera) -> Result<(), SceneError> {
+    let item = SceneItem::Camera;
+    point(item, "eye", camera.eye)?;
+    point(item, "look_at", camera.look_at)?;
+    point(item, "up", camera.up)?;
+    range(
+        item,
+        "fovy_deg",
+        camera.fovy_deg,
+        const { [Real::lit("1"), Real::lit("170")] },
+    )
+}
+
+fn light(item: SceneItem, light: &Light) -> Result<(), SceneError> {
+    point(item, "position", light.position)?;
+    color(item, "diffuse", light.diffuse, BRIGHTEST)?;
+    color(item, "specular", light.specular, BRIGHTEST)
+}
+
+fn material(item: SceneItem, material: &Material) -> Result<(), SceneError> {
+    for (field, coefficient) in [
+        ("ka", material.ka),
+        ("kd", material.kd),
+        ("ks", material.ks),
+        ("kr", material.kr),
+        ("kt", material.kt),
+    ] {
+        color(item, field, coefficient, Real::ONE)?;
+    }
+    color(item, "le", material.le, BRIGHTEST)?;
+    let black = Color::gray(Real::ZERO);
+    if material.ks != black {
+        range(
+            item,
+            "shininess",
+            material.shininess,
+            const { [Real::ONE, Real::lit("4096")] },
+        )?;
+    }
+    if material.kt != black {
+        range(
+            item,
+            "ior",
+            material.ior,
+            const { [Real::ONE, Real::lit("4")] },
+        )?;
+    }
+    Ok(())
+}
+
+fn object(item: SceneItem, object: &Object, materials: usize) -> Result<(), SceneError> {
+    shape(item, &object.shape)?;
+    let known = |field, MaterialId(index)| {
+        if usize::from(index) < materials {
+            Ok(())
+        } else {
+            fail(item, field, SceneProblem::NoSuchMaterial(index))
+        }
+    };
+    match object.texture {
+        Texture::Uniform(material) => known("material", material),
+        Texture::Checker {
+            size,
+            axes: [first, second],
+            materials,
+        } => {
+            range(item, "checker.size", size, [SMALLEST, FARTHEST])?;
+            if first == second {
+                return fail(item, "checker.axes", SceneProblem::SameAxis);
+            }
+            materials
+                .into_iter()
+                .try_for_each(|material| known("checker.materials", material))
+        }
+    }
+}

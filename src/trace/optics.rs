@@ -1,0 +1,43 @@
+//! Where light goes at a surface: mirrored and refracted directions.
+
+use crate::math::outlined::inverse_length;
+use crate::math::{Length, Product, Square, Unit, Vec3, round_unit, rounded, scaled, wide};
+
+/// `V - 2 n (n·V)`, of which the second term may be 2 long.
+///
+/// `normal` faces the ray and `cosine` is `-V · n`, not negative.
+#[inline]
+pub(crate) fn mirrored(view: Vec3<Unit>, normal: Vec3<Unit>, cosine: Unit) -> Vec3<Unit> {
+    let turn = scaled::<29>(normal.map(Unit::to_bits), cosine.to_bits());
+    view.zip(turn.map(Unit::from_bits), Unit::wrapping_add)
+        .renormalized()
+}
+
+/// `η V + (η c - sqrt(k)) n` with `k = 1 - η² (1 - c²)`; `None`, total internal
+/// reflection, if k < 0.
+///
+/// `eta` is the index of refraction on the ray's side in that on the other: 1/4 to 4.
+#[inline]
+pub(crate) fn refracted(
+    view: Vec3<Unit>,
+    normal: Vec3<Unit>,
+    cosine: Unit,
+    eta: Length,
+) -> Option<Vec3<Unit>> {
+    // sin² = 1 - c²: Q60 -> U0F32; η²: I8F56 -> U5F27; their product: Q59
+    let sine_squared = ((1 << 60) - cosine.square().to_bits()).max(0) >> 28;
+    let sine_squared = sine_squared.min(u32::MAX.into()) as u32;
+    let eta_squared = (eta.square().to_bits() >> 29) as u32;
+    let k = (1 << 59) - wide(sine_squared, eta_squared) as i64;
+    if k < 0 {
+        return None;
+    }
+    // Q59 -> Q56, whose root is in Q28; η c: I4F28 * I2F30 -> Q28
+    let root = inverse_length((k >> 3) as u64).length() as i32;
+    let along = rounded::<30>(eta.product(cosine).to_bits()) - root;
+    let direction = view.zip(normal, |v, n| {
+        let sum = eta.product(v).to_bits() + along.product(n.to_bits());
+        round_unit::<28>(sum)
+    });
+    Some(direction.renormalized())
+}

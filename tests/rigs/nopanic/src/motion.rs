@@ -1,0 +1,42 @@
+//! All that moves.
+
+use core::hint::black_box;
+
+use whitted::Real;
+use whitted::animation::{AnimatedScene, Animation, Interpolation, Keyframe, Target, Track};
+
+use crate::scenes::{Buffer, SCENE, number};
+use crate::{displays, text};
+
+/// Behind a reference, all of it is unknown, as of a scene.
+static ANIMATION: Animation = Animation {
+    duration: Real::ZERO,
+    looping: true,
+    tracks: &[Track {
+        target: Target::CameraOrbit,
+        interpolation: Interpolation::Smooth,
+        keys: &[
+            Keyframe::number("0", "0"),
+            Keyframe::angles("0", "0", "0"),
+            Keyframe::vector("0", "0", "0", "0"),
+        ],
+    }],
+};
+
+pub(crate) fn play() {
+    let (scene, animation) = (black_box(&SCENE), black_box(&ANIMATION));
+    if let Err(error) = animation.check(scene) {
+        text::print(&error);
+    }
+    black_box(animation.camera(scene.camera, number()).is_ok());
+
+    let mut stage = AnimatedScene::<2, 1>::new();
+    let mut buffer = Buffer::new();
+    match stage.frame(scene, animation, number()) {
+        Ok(frame) => match buffer.prepare(&frame) {
+            Ok(scene) => displays::draw_on_all(black_box(&scene)),
+            Err(error) => text::print(&error),
+        },
+        Err(error) => text::print(&error),
+    }
+}
