@@ -9,6 +9,11 @@ use crate::math::{Color, Vec3};
 /// Where fields go to or come from.
 pub(crate) trait Archive {
     fn bytes<const N: usize>(&mut self, bytes: &mut [u8; N]);
+
+    /// Notes that a field needs a Cargo feature that is off.
+    fn miss(&mut self, feature: &'static str) {
+        let _ = feature;
+    }
 }
 
 /// Counts bytes.
@@ -39,6 +44,8 @@ impl Archive for Writer<'_> {
 pub(crate) struct Reader<'a> {
     pub(crate) bytes: &'a [u8],
     pub(crate) short: bool,
+    /// Cargo feature that a field needs and that is off.
+    pub(crate) missing: Option<&'static str>,
 }
 
 impl Archive for Reader<'_> {
@@ -49,6 +56,10 @@ impl Archive for Reader<'_> {
             self.short = true;
             *bytes = [0; N];
         }
+    }
+
+    fn miss(&mut self, feature: &'static str) {
+        self.missing = Some(feature);
     }
 }
 

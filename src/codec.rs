@@ -1,32 +1,26 @@
-//! Prepared scenes as bytes: compact, versioned, checked.
+//! Compiled scenes: prepared scenes as bytes, compact, versioned and checked.
 //!
 //! ```text
 //! "WHTD"  version: u8  objects, lights, materials: u16
 //! settings, lights, materials, objects
-//! CRC-32 of all before
+//! CRC-32 of everything before it
 //! ```
 //!
-//! Integers are little-endian and already scaled. What follows from others (a
-//! squared radius, a reciprocal) is not stored. One list of fields per item
-//! serves both directions.
-
-mod fields;
-mod validate;
-
-use core::mem::size_of;
+//! Integers are little-endian and already scaled. Derived values, such as a squared radius or
+//! a reciprocal, are not stored. Each item has one list of fields, which serves both
+//! directions; see [`Fields`].
 
 pub use crate::math::Crc32;
-use crate::prepare::{Light, Material, Object, PreparedScene, SceneSink, Settings};
 pub use crate::scene::DecodeError;
-use crate::scene::{SceneCounts, SceneItem};
 
 use crate::archive::{Archive, Counter, Fields, Reader, Writer};
+use crate::prepare::{Light, Material, Object, PreparedScene, SceneSink, Settings};
+use crate::scene::{SceneCounts, SceneItem};
 
 const MAGIC: [u8; 4] = *b"WHTD";
 const VERSION: u8 = 3;
 const CHECKSUM: usize = size_of::<u32>();
 
-/// What is before the lists.
 #[derive(Default)]
 struct Header {
     magic: [u8; 4],
@@ -44,50 +38,6 @@ impl Fields for Header {
         self.lights.visit(archive);
         self.materials.visit(archive);
     }
-}
-
-fn visit_all(scene: &PreparedScene<'_>, archive: &mut impl Archive) {
-    let mut header = Header {
-        magic: MAGIC,
-        version: VERSION,
-        objects: scene.objects.len() as u16,
-        lights: scene.lights.len() as u16,
-        materials: scene.materials.len() as u16,
-    };
-    header.visit(archive);
-    scene.settings.clone().visit(archive);
-    scene
-        .lights
-        .iter()
-        .for_each(|light| light.clone().visit(archive));
-    scene
-        .materials
-        .iter()
-        .for_each(|material| material.clone().visit(archive));
-    scene
-        .objects
-        .iter()
-        .for_each(|object| object.clone().visit(archive));
-}
-
-pub(crate) fn encoded_len(scene: &PreparedScene<'_>) -> usize {
-    let mut counter = Counter(0);
-    visit_all(scene, &mut counter);
-    counter.0 + CHECKSUM
-}
-
-pub(crate) fn encode(scene: &PreparedScene<'_>, out: &mut [u8]) -> Option<usize> {
-    let length = encoded_len(scene);
-    let (body, checksum) = out.get_mut(..length)?.split_last_chunk_mut::<CHECKSUM>()?;
-    visit_all(
-        scene,
-        &mut Writer {
-            out: body,
-            written: 0,
-        },
-    );
-    *checksum = checksum_of(body).to_le_bytes();
-    Some(length)
 }
 
 impl SceneCounts {
@@ -127,17 +77,63 @@ impl SceneCounts {
     }
 }
 
+impl PreparedScene<'_> {
+    /// Number of bytes that [`encode`](Self::encode) writes.
+    pub fn encoded_len(&self) -> usize {
+        let mut counter = Counter(0);
+        visit_all(self, &mut counter);
+        counter.0 + CHECKSUM
+    }
+
+    /// Writes the scene as bytes that [`SceneBuffer::decode`](crate::SceneBuffer::decode)
+    /// reads, and returns their number; `None` if `out` is too short.
+    ///
+    /// All integers are little-endian and already scaled. The bytes begin with a version and
+    /// end with a CRC-32.
+    pub fn encode(&self, out: &mut [u8]) -> Option<usize> {
+        let length = self.encoded_len();
+        let (body, checksum) = out.get_mut(..length)?.split_last_chunk_mut::<CHECKSUM>()?;
+        let mut writer = Writer {
+            out: body,
+            written: 0,
+        };
+        visit_all(self, &mut writer);
+        *checksum = checksum_of(body).to_le_bytes();
+        Some(length)
+    }
+}
+
+fn visit_all(scene: &PreparedScene<'_>, archive: &mut impl Archive) {
+    let mut header = Header {
+        magic: MAGIC,
+        version: VERSION,
+        objects: scene.objects.len() as u16,
+        lights: scene.lights.len() as u16,
+        materials: scene.materials.len() as u16,
+    };
+    header.visit(archive);
+    scene.settings.clone().visit(archive);
+    visit_list(scene.lights, archive);
+    visit_list(scene.materials, archive);
+    visit_list(scene.objects, archive);
+}
+
+fn visit_list<T: Fields + Clone>(list: &[T], archive: &mut impl Archive) {
+    list.iter().for_each(|item| item.clone().visit(archive));
+}
+
 fn checksum_of(bytes: &[u8]) -> u32 {
     let mut crc = Crc32::new();
     crc.update(bytes);
     crc.finish()
 }
 
-/// Not inlined, as whoever decodes then draws, and its variables would take stack
-/// all the while.
+/// Decodes a compiled scene into `sink`.
+///
+/// Out of line so that its locals do not stay on the stack while the caller draws.
 #[inline(never)]
-pub(crate) fn decode(bytes: &[u8], room: &mut impl SceneSink) -> Result<Settings, DecodeError> {
-    room.clear();
+pub(crate) fn decode(bytes: &[u8], sink: &mut impl SceneSink) -> Result<Settings, DecodeError> {
+    sink.clear();
     if !bytes.starts_with(&MAGIC) {
         return Err(DecodeError::NotAScene);
     }
@@ -147,6 +143,7 @@ pub(crate) fn decode(bytes: &[u8], room: &mut impl SceneSink) -> Result<Settings
     let mut reader = Reader {
         bytes: body,
         short: false,
+        missing: None,
     };
     let mut header = Header::default();
     header.visit(&mut reader);
@@ -159,26 +156,32 @@ pub(crate) fn decode(bytes: &[u8], room: &mut impl SceneSink) -> Result<Settings
     if checksum_of(body) != u32::from_le_bytes(*checksum) {
         return Err(DecodeError::Checksum);
     }
-    let mut settings = Settings::blank();
+    let mut settings = Settings::empty();
     settings.visit(&mut reader);
     check(settings.is_valid(), SceneItem::Scene)?;
     for index in 0..header.lights {
         let mut light = Light::default();
         light.visit(&mut reader);
         check(light.is_valid(), SceneItem::Light(index))?;
-        room.push_light(light)?;
+        sink.push_light(light)?;
     }
     for index in 0..header.materials {
         let mut material = Material::default();
         material.visit(&mut reader);
         check(material.is_valid(), SceneItem::Material(index))?;
-        room.push_material(material)?;
+        if !material.kt.is_black() && cfg!(not(feature = "glass")) {
+            return Err(DecodeError::MissingFeature("glass"));
+        }
+        sink.push_material(material.with_derived_fields())?;
     }
     for index in 0..header.objects {
         let mut object = Object::NONE;
         object.visit(&mut reader);
+        if let Some(feature) = reader.missing {
+            return Err(DecodeError::MissingFeature(feature));
+        }
         check(object.is_valid(header.materials), SceneItem::Object(index))?;
-        room.push_object(object)?;
+        sink.push_object(object)?;
     }
     if reader.short || !reader.bytes.is_empty() {
         return Err(DecodeError::Length);
@@ -186,10 +189,10 @@ pub(crate) fn decode(bytes: &[u8], room: &mut impl SceneSink) -> Result<Settings
     Ok(settings)
 }
 
-/// A right checksum over wrong values is no accident of transport; tracing
-/// relies on every range all the same.
-fn check(valid: bool, item: SceneItem) -> Result<(), DecodeError> {
-    if valid {
+/// Checks the ranges that tracing relies on. Bytes with a valid checksum may still have been
+/// written by someone else.
+fn check(is_valid: bool, item: SceneItem) -> Result<(), DecodeError> {
+    if is_valid {
         Ok(())
     } else {
         Err(DecodeError::Invalid(item))

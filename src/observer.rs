@@ -92,12 +92,12 @@ pub struct RayNode {
 }
 
 /// A factor as a number that users know.
-pub(crate) fn share(color: Color<Factor>) -> Color<Real> {
+pub(crate) fn to_real(color: Color<Factor>) -> Color<Real> {
     color.map(Real::from_num)
 }
 
 /// The same of a weight.
-pub(crate) fn weight(weight: Color<Weight>) -> Color<Real> {
+pub(crate) fn weight_to_real(weight: Color<Weight>) -> Color<Real> {
     // The last step stands for 1.
     weight.map(|weight| Real::from_bits((i64::from(weight.to_bits()) + 8) >> 4 << 4))
 }

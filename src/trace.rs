@@ -1,11 +1,15 @@
-//! The path of a ray: nearest hit, interaction, lighting, ray tree.
+//! The path of a ray: nearest hit, interaction, direct lighting, ray tree.
 
+mod background;
 mod candidates;
-pub(crate) mod intersect;
+mod interaction;
+mod intersect;
+mod lighting;
 pub(crate) mod optics;
-mod shade;
+mod ray_tree;
+mod scatter;
 mod shadow;
-mod tree;
+mod tracer;
 
-pub(crate) use candidates::{Candidates, MOST};
-pub(crate) use tree::trace;
+pub(crate) use candidates::{Candidates, MAX_CANDIDATES};
+pub(crate) use tracer::Tracer;

@@ -1,17 +1,16 @@
-//! Ranges of numbers, and what to say of those that are not within.
+//! Ranges of authored numbers, and the errors of numbers outside of them.
 
-use fixed::types::U0F32;
-
-use crate::geometry::Normalization;
+use super::normalization::Normalization;
 use crate::math::{Real, Vec3};
 use crate::scene::{SceneError, SceneItem, SceneProblem};
 
-/// The farthest coordinate, ±2^24: sums and differences keep within [`Real`].
+/// Largest coordinate: sums and differences of coordinates stay within [`Real`].
 pub(crate) const FARTHEST: Real = Real::lit("16777216");
-/// The least size of anything, world units.
+/// Smallest size, in world units.
 pub(crate) const SMALLEST: Real = Real::lit("0.000001");
 
-pub(crate) fn fail<T>(
+/// Returns an error about a field of an item.
+pub(crate) fn error<T>(
     item: SceneItem,
     field: &'static str,
     problem: SceneProblem,
@@ -23,6 +22,7 @@ pub(crate) fn fail<T>(
     })
 }
 
+/// Checks that a number is within a range that includes both ends.
 pub(crate) fn range(
     item: SceneItem,
     field: &'static str,
@@ -32,10 +32,11 @@ pub(crate) fn range(
     if (least..=most).contains(&value) {
         Ok(())
     } else {
-        fail(item, field, SceneProblem::OutOfRange { least, most })
+        error(item, field, SceneProblem::OutOfRange { least, most })
     }
 }
 
+/// Checks the coordinates of a point or a vector.
 pub(crate) fn point(
     item: SceneItem,
     field: &'static str,
@@ -46,64 +47,44 @@ pub(crate) fn point(
         .try_for_each(|c| range(item, field, c, [-FARTHEST, FARTHEST]))
 }
 
+/// Checks a size such as a radius.
+pub(crate) fn size(item: SceneItem, field: &'static str, size: Real) -> Result<(), SceneError> {
+    range(item, field, size, [SMALLEST, FARTHEST])
+}
+
+/// Checks that an interval runs from a lower to a higher coordinate.
 pub(crate) fn interval(
     item: SceneItem,
     field: &'static str,
-    ends: [Real; 2],
+    [low, high]: [Real; 2],
 ) -> Result<(), SceneError> {
-    let [low, high] = ends;
     range(item, field, low, [-FARTHEST, FARTHEST])?;
     range(item, field, high, [-FARTHEST, FARTHEST])?;
     if low < high {
         Ok(())
     } else {
-        fail(item, field, SceneProblem::EmptyInterval)
+        error(item, field, SceneProblem::EmptyInterval)
     }
 }
 
-/// A paraboloid must be as high and, where it ends, as wide as any size.
-pub(crate) fn least_rise(
-    item: SceneItem,
-    y: [Real; 2],
-    frame: &Normalization,
-) -> Result<(), SceneError> {
-    let least = frame.smallest().max(SMALLEST);
-    let least = least.max(least.saturating_mul(least));
-    range(item, "y[1]", y[1], [least, FARTHEST])
-}
-
-/// The smallest spheres of a flake must be as large as any size.
-pub(crate) fn least_sphere(
-    item: SceneItem,
-    radius: Real,
-    ratio: U0F32,
-    depth: u8,
-    frame: &Normalization,
-) -> Result<(), SceneError> {
-    let least = frame.smallest().max(SMALLEST);
-    let smaller =
-        |radius: &i64| Some(((i128::from(*radius) * i128::from(ratio.to_bits())) >> 32) as i64);
-    let generations = core::iter::successors(Some(radius.to_bits()), smaller)
-        .take(usize::from(depth) + 1)
-        .take_while(|radius| *radius >= least.to_bits())
-        .count();
-    let most = (generations as u8).saturating_sub(1);
-    range(item, "depth", depth.into(), [Real::ZERO, most.into()])
-}
-
-/// A size must be at least 2^10 steps of the scene's scale to be round; below 0
-/// as well as above.
-pub(crate) fn least_size(
+/// Checks that a size, positive or negative, is at least 2^10 steps of the prepared scene, so
+/// that curved surfaces look round.
+pub(crate) fn resolvable_size(
     item: SceneItem,
     field: &'static str,
     size: Real,
-    frame: &Normalization,
+    normalization: &Normalization,
 ) -> Result<(), SceneError> {
-    let least = frame.smallest().max(SMALLEST);
+    let least = least_size(normalization);
     let sizes = if size < 0 {
         [-FARTHEST, -least]
     } else {
         [least, FARTHEST]
     };
     range(item, field, size, sizes)
+}
+
+/// Smallest size that the scale of a scene resolves, in world units.
+pub(crate) fn least_size(normalization: &Normalization) -> Real {
+    normalization.smallest_size().max(SMALLEST)
 }

@@ -1,179 +1,207 @@
+//! Planes, unbounded or clipped to a box.
+
 use long_multiply::IS_CALL;
 
-use crate::geometry::{HORIZON, NEAR, Point, Ray};
+use super::bounding_sphere::BoundingSphere;
+use super::clip_box::ClipBox;
+use super::extent::Extent;
+use super::limits;
+use super::normalization::{Normalization, OFFSET_BITS};
+use super::point::{HORIZON, NEAR, Point};
+use super::primitive::{AuthoredShape, Primitive, PrimitivePart};
+use super::ray::Ray;
+use super::shadow_segment::ShadowSegment;
+use super::surface::SurfaceFlags;
+use super::valid;
+use crate::archive::{self, Archive, Fields};
 use crate::math::{
-    Length, NEAR_LIMIT, Product, SoftFloat, Unit, Vec3, leading_zeros, outlined as rare, quotient,
-    reciprocal, rounded, scaled, wide,
+    Length, NEAR_LIMIT, Product, Real, SoftFloat, Unit, Vec3, bits, direction, leading_zeros,
+    outlined, quotient, reciprocal, rounded, scaled, wide,
 };
+use crate::observer::{Observer, ShapeKind};
+use crate::scene::{self, SceneError, SceneItem, SceneProblem};
 
-/// A plane, endless or bounded.
+/// Tag of an unbounded plane in a compiled scene.
+pub(super) const TAG: u8 = 1;
+/// Tag of a clipped plane in a compiled scene.
+pub(super) const CLIPPED_TAG: u8 = 2;
+
+/// A plane in world units.
+pub(super) struct Authored {
+    pub(super) normal: Vec3<Real>,
+    pub(super) point: Vec3<Real>,
+    pub(super) bounds: scene::ClipBox,
+}
+
+impl Authored {
+    fn bounds(&self) -> [Option<[Real; 2]>; 3] {
+        [self.bounds.x, self.bounds.y, self.bounds.z]
+    }
+}
+
+impl AuthoredShape for Authored {
+    type Prepared = Plane;
+
+    fn validate(&self, item: SceneItem) -> Result<(), SceneError> {
+        limits::point(item, "normal", self.normal)?;
+        limits::point(item, "point", self.point)?;
+        ["bounds.x", "bounds.y", "bounds.z"]
+            .into_iter()
+            .zip(self.bounds())
+            .try_for_each(|(field, bound)| {
+                bound.map_or(Ok(()), |bound| limits::interval(item, field, bound))
+            })
+    }
+
+    /// Unbounded surfaces do not determine the scale: a large floor would cost precision for
+    /// the objects on it.
+    fn extend(&self, _: &mut Extent) {}
+
+    /// Ends of the clip box must be within ±4. In a scene without bounded geometry the point
+    /// of the plane must be within ±2.
+    fn max_exponent(&self, center: Vec3<i64>, is_alone: bool) -> i32 {
+        let mut exponent = i32::MAX;
+        for (bound, center) in self.bounds().into_iter().zip([center.x, center.y, center.z]) {
+            for end in bound.into_iter().flatten() {
+                exponent = exponent.min(34 - bits(end.to_bits() - center));
+            }
+        }
+        if is_alone {
+            let way = self.point.map(Real::to_bits).zip(center, |p, c| p - c);
+            exponent = exponent.min(33 - bits(way.x).max(bits(way.y)).max(bits(way.z)));
+        }
+        exponent
+    }
+
+    fn prepare(
+        &self,
+        normalization: &Normalization,
+        item: SceneItem,
+    ) -> Result<Plane, SceneError> {
+        let Some(normal) = direction(self.normal.map(Real::to_bits)) else {
+            return limits::error(item, "normal", SceneProblem::NoDirection);
+        };
+        let Some(offset) = normalization.offset(normal, self.point) else {
+            return limits::error(item, "point", normalization.offset_problem());
+        };
+        let center = normalization.center;
+        let side = |bound: Option<[Real; 2]>, center: i64| {
+            bound.map_or([Length::MIN, Length::MAX], |bound| {
+                bound.map(|b| Length::from_bits(normalization.length(b.to_bits() - center) as i32))
+            })
+        };
+        let [x, y, z] = [
+            side(self.bounds.x, center.x),
+            side(self.bounds.y, center.y),
+            side(self.bounds.z, center.z),
+        ];
+        let clip_box = (self.bounds != scene::ClipBox::NONE).then_some(ClipBox {
+            low: Vec3::new(x[0], y[0], z[0]),
+            high: Vec3::new(x[1], y[1], z[1]),
+        });
+        Ok(Plane::new(normal, offset, clip_box))
+    }
+}
+
+/// A plane.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Plane {
     pub(crate) normal: Vec3<Unit>,
-    /// `normal · p` for the points of the plane, in steps of a [`Length`] but
-    /// with more range: a plane may be far from all else.
-    pub(crate) offset: i64,
-    /// What of the plane there is; endless where it says `None`.
-    pub(crate) bounds: Option<ClipBox>,
-    /// Whether all of it is near: derived.
+    /// `normal · p` for the points of the plane, in the bits of a [`Length`] but with more
+    /// range, because a plane may be far from everything else.
+    offset: i64,
+    /// `None` if the plane is unbounded.
+    clip_box: Option<ClipBox>,
+    /// True if all of the plane is near. Derived from the other fields.
     is_near: bool,
 }
 
-/// A box, endless where a bound is the least or the greatest [`Length`].
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct ClipBox {
-    pub(crate) low: Vec3<Length>,
-    pub(crate) high: Vec3<Length>,
-}
-
-/// A point of the plane may be rounded away from where it is; so that no ray
-/// passes where the edges of two planes meet, each reaches so much farther.
-const EDGE: i32 = 1;
-
-impl ClipBox {
-    pub(crate) const ENDLESS: Self = Self {
-        low: Vec3::new(Length::MIN, Length::MIN, Length::MIN),
-        high: Vec3::new(Length::MAX, Length::MAX, Length::MAX),
-    };
-
-    #[inline(never)]
-    pub(crate) fn contain(&self, point: &Point) -> bool {
-        if !point.is_near() {
-            return self.contain_far(*point);
-        }
-        self.contain_near(point.coordinates)
-    }
-
-    /// Whether all points within of a plane are near. Of other planes than these, boards
-    /// and floors, it need not be known.
-    fn are_near(&self, normal: Vec3<Unit>, offset: i64) -> bool {
-        let between = self.low.zip(self.high, are_near);
-        let n = normal.map(Unit::to_bits);
-        let is_level = offset.abs() < i64::from(NEAREST_FAR);
-        (between.x || is_level && n.y | n.z == 0)
-            && (between.y || is_level && n.x | n.z == 0)
-            && (between.z || is_level && n.x | n.y == 0)
-    }
-
-    /// The same for a point of a plane that is near wherever it is within; coordinates that
-    /// have wrapped are beyond.
-    #[inline(always)]
-    fn contain_near(&self, p: Vec3<Length>) -> bool {
-        let within = |c: Length, low: Length, high: Length| {
-            c.to_bits().wrapping_add(EDGE) >= low.to_bits()
-                && c.to_bits().wrapping_sub(EDGE) <= high.to_bits()
-        };
-        let Self { low, high } = self;
-        within(p.x, low.x, high.x) && within(p.y, low.y, high.y) && within(p.z, low.z, high.z)
-    }
-
-    #[cold]
-    #[inline(never)]
-    fn contain_far(&self, point: Point) -> bool {
-        let within = |c, low, high| is_within(c, point.shift, low, high);
-        let (p, Self { low, high }) = (point.coordinates, self);
-        within(p.x, low.x, high.x) && within(p.y, low.y, high.y) && within(p.z, low.z, high.z)
-    }
-}
-
-/// Whether a far coordinate, in steps of `2^shift`, is between two ends. Not inlined, as it
-/// is asked for each axis.
-#[inline(never)]
-fn is_within(c: Length, shift: u8, low: Length, high: Length) -> bool {
-    let (c, edge) = (i64::from(c.to_bits()) << shift, i64::from(EDGE));
-    (low == Length::MIN || c + edge >= i64::from(low.to_bits()))
-        && (high == Length::MAX || c - edge <= i64::from(high.to_bits()))
-}
-
-/// A point of the plane is so deep in it at most.
+/// A hit point is at most this many steps away from its plane.
 const ROUNDING: i64 = 2;
 
 impl Plane {
-    /// Before it is prepared.
+    /// A placeholder that no ray hits.
     pub(crate) const NONE: Self = Self {
         normal: Vec3::new(Unit::ZERO, Unit::ZERO, Unit::ZERO),
         offset: 0,
-        bounds: None,
+        clip_box: None,
         is_near: false,
     };
 
-    pub(crate) fn new(normal: Vec3<Unit>, offset: i64, bounds: Option<ClipBox>) -> Self {
+    pub(crate) fn new(normal: Vec3<Unit>, offset: i64, clip_box: Option<ClipBox>) -> Self {
         Self {
             normal,
             offset,
-            bounds,
-            is_near: false,
-        }
-        .complete()
-    }
-
-    /// The plane with what follows from where it is.
-    pub(crate) fn complete(self) -> Self {
-        let bounds = self.bounds.as_ref();
-        Self {
-            is_near: bounds.is_some_and(|bounds| bounds.are_near(self.normal, self.offset)),
-            ..self
+            clip_box,
+            is_near: clip_box.is_some_and(|clip_box| clip_box.is_near(normal, offset)),
         }
     }
 
-    /// Whether all of it is near.
-    #[inline(always)]
-    pub(crate) fn is_near(&self) -> bool {
-        self.is_near
+    /// Returns the plane that a tag of a compiled scene starts with, before its fields are
+    /// read.
+    pub(super) fn of_tag(tag: u8) -> Self {
+        let clip_box = (tag == CLIPPED_TAG).then_some(ClipBox::UNBOUNDED);
+        Self::new(Vec3::default(), 0, clip_box)
     }
 
-    /// Whether the normal is y.
-    pub(crate) fn is_level(&self) -> bool {
+    /// Tag of the plane in a compiled scene.
+    pub(super) fn tag(&self) -> u8 {
+        match self.clip_box {
+            None => TAG,
+            Some(_) => CLIPPED_TAG,
+        }
+    }
+
+    /// Returns true if the normal is exactly +y.
+    fn is_horizontal(&self) -> bool {
         let n = self.normal;
         n.x == Unit::ZERO && n.y == Unit::ONE && n.z == Unit::ZERO
     }
 
-    /// How far behind the plane a point is, in the point's steps; negative in
-    /// front, where the normal points.
+    /// Depth of a point behind the plane, in the point's steps; negative in front, on the
+    /// side of the normal.
     #[inline(never)]
     pub(crate) fn depth(&self, point: Point) -> i64 {
         self.depth_inlined(point)
     }
 
-    /// The same for each shadow ray.
     #[inline(always)]
     fn depth_inlined(&self, point: Point) -> i64 {
         let along = point.coordinates.along(self.normal).to_bits();
         (self.offset >> point.shift) - ((along + (1 << 29)) >> 30)
     }
 
-    /// Whether a point that is so far behind may be on the plane, but for rounding.
-    pub(crate) fn may_hold(depth: i64) -> bool {
+    /// Returns true if a point at this depth may be on the plane, within rounding.
+    fn may_contain(depth: i64) -> bool {
         depth.abs() <= ROUNDING
     }
 
-    /// Whether a light and a point are on different sides: no distance is
-    /// needed to know.
+    /// Returns true if a light and a point are on different sides. Needs no distance.
     ///
-    /// A point in a corner of walls is on the side of each that it is seen
-    /// from, by a ray in the direction of `view`.
-    #[inline]
-    pub(crate) fn is_between(&self, light: Vec3<Length>, point: Point, view: Vec3<Unit>) -> bool {
+    /// A point in a corner between planes counts as on the side of each plane from which the
+    /// ray in the direction `view` sees it.
+    #[inline(always)]
+    fn separates(&self, light: Vec3<Length>, point: Point, view: Vec3<Unit>) -> bool {
         let from = self.depth_inlined(Point::near(light));
         let to = self.depth_inlined(point);
-        if Self::may_hold(to) {
-            return self.is_seen_from_beyond(from, view);
+        if Self::may_contain(to) {
+            return self.is_seen_from_other_side(from, view);
         }
         from ^ to < 0 && from != 0
     }
 
     #[cold]
-    fn is_seen_from_beyond(&self, from: i64, view: Vec3<Unit>) -> bool {
-        let to = view.cosine(self.normal).to_bits();
-        from.signum() * i64::from(to.signum()) < 0
+    fn is_seen_from_other_side(&self, light_depth: i64, view: Vec3<Unit>) -> bool {
+        let cosine = view.cosine(self.normal).to_bits();
+        light_depth.signum() * i64::from(cosine.signum()) < 0
     }
 
-    /// How long a vector of any steps, below 2^31, is along the normal.
+    /// Component of a vector of any steps, shorter than 2^31, along the normal.
     #[inline(always)]
     fn along(&self, v: Vec3<i32>) -> i32 {
         let n = self.normal.map(Unit::to_bits);
-        // Of most planes, floors, no product is needed to know. Of one that is
-        // nearly level y is 1 as well, once rounded.
+        // Most planes are floors, which need no product. A nearly level normal has y = 1 as
+        // well, once rounded.
         if n.x | n.z == 0 && n.y > 0 {
             return v.y;
         }
@@ -181,10 +209,10 @@ impl Plane {
         rounded::<30>(sum)
     }
 
-    /// The distance of a hit from a near point: exact if it is below `limit`,
-    /// else anything above or none; [`Length::MAX`] if it is not near.
-    #[inline]
-    pub(crate) fn distance(&self, ray: &Ray, limit: Length) -> Option<Length> {
+    /// Distance of the hit of a ray from a near origin: exact if below `limit`, else any
+    /// greater distance or none; [`Length::MAX`] if the hit may be in the extended range.
+    #[inline(always)]
+    fn distance(&self, ray: &Ray, limit: Length) -> Option<Length> {
         let along = self.along(ray.origin.coordinates.map(Length::to_bits));
         let depth = self.offset - i64::from(along);
         let cosine = self.along(ray.direction.map(Unit::to_bits));
@@ -198,81 +226,190 @@ impl Plane {
         if depth == 0 || cosine == 0 {
             return None;
         }
-        // What is beyond the limit is not worth a division.
+        // A hit beyond the limit does not need the division.
         let is_beyond = if IS_CALL && limit == NEAR_LIMIT {
             depth >= 2 * cosine - (cosine >> 20)
         } else {
             u64::from(depth) << 30 >= wide(cosine, limit.to_bits() as u32)
         };
         if is_beyond {
-            let is_out_of_reach = self.is_near && is_past_near(ray, limit);
+            let is_out_of_reach = self.is_near && has_left_near_range(ray, limit);
             return (!is_out_of_reach).then_some(Length::MAX);
         }
         let distance = Length::from_bits(ratio(depth, cosine, reciprocal));
-        let is_there = match &self.bounds {
+        let is_inside = match &self.clip_box {
             None => true,
-            Some(bounds) if self.is_near => bounds.contain_near(ray.near_at(distance)),
-            Some(bounds) => bounds.contain(&ray.at(distance)),
+            Some(clip_box) if self.is_near => clip_box.contains_near(ray.at_near(distance)),
+            Some(clip_box) => clip_box.contains(&ray.at(distance)),
         };
-        is_there.then_some(distance)
+        is_inside.then_some(distance)
     }
 
-    /// Where the way from a light to a near point crosses the plane, given how far behind it
-    /// they are, on different sides.
-    #[inline]
-    pub(crate) fn crossing(
+    /// Point where the segment from a light to a near point crosses the plane, given the
+    /// depths of both, which have opposite signs.
+    fn crossing(
         &self,
         light: Vec3<Length>,
-        way: Vec3<Length>,
+        to_point: Vec3<Length>,
         [from, to]: [i64; 2],
     ) -> Vec3<Length> {
         let [from, to] = [from, to].map(|depth| depth.unsigned_abs() as u32);
         // Q30
-        let share = ratio(from, from + to, rare::reciprocal);
-        light + scaled::<30>(way.map(Length::to_bits), share).map(Length::from_bits)
+        let share = ratio(from, from + to, outlined::reciprocal);
+        light + scaled::<30>(to_point.map(Length::to_bits), share).map(Length::from_bits)
     }
 
-    /// Whether a point of the plane is within its bounds.
-    #[inline]
-    pub(crate) fn covers(&self, point: &Point) -> bool {
-        self.bounds
-            .as_ref()
-            .is_none_or(|bounds| bounds.contain(point))
-    }
-
-    /// The distance of a hit at any distance from any point.
-    #[cold]
-    pub(crate) fn far_distance(&self, ray: &Ray) -> Option<SoftFloat> {
-        self.unbounded_distance(ray)
-            .filter(|distance| self.bounds.is_none() || self.covers(&ray.far_at(*distance)))
-    }
-
-    /// The same, without regard to bounds.
+    /// Point where a shadow segment crosses the plane, if that is inside the clip box. The
+    /// ends of the segment must be on different sides.
     #[inline(never)]
-    pub(crate) fn unbounded_distance(&self, ray: &Ray) -> Option<SoftFloat> {
-        let (depth, cosine) = self.approach(self.depth(ray.origin), ray.direction)?;
-        // Q28 / Q60 -> Q-32 -> Q28 times 2^30, as a quotient is.
-        let distance = quotient(depth, cosine);
+    fn segment_crossing(&self, segment: &ShadowSegment<'_>) -> Option<Point> {
+        let (light, point) = (segment.light, segment.ray.origin);
+        let depths = [Point::near(light), point].map(|end| self.depth(end));
+        let crossing = if point.is_near() {
+            Point::near(self.crossing(light, -segment.to_light, depths))
+        } else if Self::may_contain(depths[1]) {
+            point
+        } else {
+            let ray = segment.to_ray();
+            ray.at_extended(self.unclipped_distance(&ray)?)
+        };
+        self.covers(&crossing).then_some(crossing)
+    }
+
+    /// Returns true if a point of the plane is inside the clip box.
+    fn covers(&self, point: &Point) -> bool {
+        self.clip_box
+            .as_ref()
+            .is_none_or(|clip_box| clip_box.contains(point))
+    }
+
+    /// Distance at which a ray from any origin hits the plane, at any distance, as if it had
+    /// no clip box.
+    #[inline(never)]
+    fn unclipped_distance(&self, ray: &Ray) -> Option<SoftFloat> {
+        let depth = self.depth(ray.origin);
+        // Q60, because the cosine of a distant hit is small.
+        let cosine = ray.direction.dot(self.normal).to_bits();
+        if depth ^ cosine < 0 || cosine == 0 || depth == 0 {
+            return None;
+        }
+        // Q28 / Q60 -> Q-32 -> Q28 times 2^30, like a quotient.
+        let distance = quotient(depth.unsigned_abs(), cosine.unsigned_abs());
         let distance = SoftFloat {
             exponent: distance.exponent + 30 + i32::from(ray.origin.shift),
             ..distance
         };
         (distance.exponent <= HORIZON).then_some(distance)
     }
+}
 
-    /// How far the plane is along its normal and the cosine to it, Q60 as it is small for
-    /// what is far, both positive, if the ray approaches the plane.
+impl Primitive for Plane {
+    fn is_valid(&self) -> bool {
+        valid::is_unit(&self.normal) && self.offset.unsigned_abs() < 1 << OFFSET_BITS
+    }
+
+    fn flags(&self) -> SurfaceFlags {
+        SurfaceFlags::CONVEX
+            .with(SurfaceFlags::FLAT, true)
+            .with(SurfaceFlags::OPEN, self.clip_box.is_some())
+            .with(SurfaceFlags::HORIZONTAL, self.is_horizontal())
+    }
+
+    /// Planes are treated as unbounded, even with a clip box.
+    fn bounding_sphere(&self) -> Option<BoundingSphere> {
+        None
+    }
+
     #[inline(always)]
-    fn approach(&self, depth: i64, direction: Vec3<Unit>) -> Option<(u64, u64)> {
-        let cosine = direction.dot(self.normal).to_bits();
-        if depth ^ cosine < 0 || cosine == 0 || depth == 0 {
+    fn is_near(&self) -> bool {
+        self.is_near
+    }
+
+    #[inline(always)]
+    fn intersect(
+        &self,
+        ray: &Ray,
+        _: bool,
+        limit: Length,
+        _: &mut PrimitivePart,
+        observer: &mut impl Observer,
+    ) -> Option<Length> {
+        let distance = self.distance(ray, limit);
+        observer.test(ShapeKind::Plane, distance.is_some());
+        distance
+    }
+
+    #[cold]
+    fn intersect_extended(&self, ray: &Ray, is_origin: bool) -> Option<SoftFloat> {
+        if is_origin {
             return None;
         }
-        Some((depth.unsigned_abs(), cosine.unsigned_abs()))
+        self.unclipped_distance(ray)
+            .filter(|distance| self.clip_box.is_none() || self.covers(&ray.at_extended(*distance)))
+    }
+
+    #[inline(always)]
+    fn normal(&self, point: Point, _: &PrimitivePart, check_bounds: bool) -> Option<Vec3<Unit>> {
+        (!check_bounds || self.covers(&point)).then_some(self.normal)
+    }
+
+    #[inline(always)]
+    fn count_crossings(
+        &self,
+        segment: &ShadowSegment<'_>,
+        _: bool,
+        _: bool,
+        observer: &mut impl Observer,
+    ) -> Option<u8> {
+        let ray = segment.ray;
+        let is_crossed = self.separates(segment.light, ray.origin, ray.direction);
+        if is_crossed && self.clip_box.is_some() {
+            return None;
+        }
+        observer.test(ShapeKind::Plane, is_crossed);
+        Some(is_crossed.into())
+    }
+
+    fn visit_crossings(
+        &self,
+        segment: &ShadowSegment<'_>,
+        _: bool,
+        observer: &mut impl Observer,
+        visit: &mut dyn FnMut(Point) -> bool,
+    ) {
+        let crossing = self.segment_crossing(segment);
+        observer.test(ShapeKind::Plane, crossing.is_some());
+        if let Some(point) = crossing {
+            visit(point);
+        }
+    }
+
+    fn is_disjoint(&self, sphere: &BoundingSphere) -> bool {
+        /// More than all roundings.
+        const MARGIN: Length = Length::lit("0.00001");
+        let radius = sphere.radius + MARGIN;
+        self.depth(Point::near(sphere.center)).abs() > i64::from(radius.to_bits())
+    }
+
+    fn may_separate(&self, point: Vec3<Length>, sphere: &BoundingSphere) -> bool {
+        let [from, to] = [point, sphere.center].map(|end| self.depth(Point::near(end)));
+        from.signum() != to.signum() || to.abs() < i64::from(sphere.radius.to_bits())
     }
 }
 
-/// `2^30 a / b`, rounded, below 2^31.
+impl Fields for Plane {
+    fn visit(&mut self, archive: &mut impl Archive) {
+        archive::vector(&mut self.normal, archive);
+        self.offset.visit(archive);
+        if let Some(clip_box) = &mut self.clip_box {
+            archive::vector(&mut clip_box.low, archive);
+            archive::vector(&mut clip_box.high, archive);
+        }
+        *self = Self::new(self.normal, self.offset, self.clip_box);
+    }
+}
+
+/// Returns `2^30 a / b`, rounded, which must be below 2^31.
 #[inline(always)]
 fn ratio(a: u32, b: u32, reciprocal: impl Fn(u32) -> u32) -> i32 {
     let shift = leading_zeros(b) & 31;
@@ -282,26 +419,17 @@ fn ratio(a: u32, b: u32, reciprocal: impl Fn(u32) -> u32) -> i32 {
     (twice.wrapping_add(1) >> 1) as i32
 }
 
-/// What is below is near for sure.
-const NEAREST_FAR: i32 = NEAR - 16;
-
-#[inline(never)]
-fn are_near(low: Length, high: Length) -> bool {
-    let is_near = |end: Length| end.to_bits().unsigned_abs() < NEAREST_FAR as u32;
-    is_near(low) && is_near(high)
-}
-
-/// Whether a ray has left all that is near after a distance: if it was told so by the
-/// upper halves of words, along one axis.
-fn is_past_near(ray: &Ray, distance: Length) -> bool {
+/// Returns true if a ray has left the near range after a distance, as far as the upper halves
+/// of words show it along one axis.
+fn has_left_near_range(ray: &Ray, distance: Length) -> bool {
     let distance = (distance.to_bits() >> 16) as u32;
-    let is_past = |from: Length, direction: Unit| {
-        // Q14 * Q12 next to Q26
+    let has_left = |from: Length, direction: Unit| {
+        // Q14 * Q12 beside Q26
         let way = (direction.to_bits().unsigned_abs() >> 16) * distance;
         way > ((NEAR as u32 + from.to_bits().unsigned_abs()) >> 2) + 1
     };
     let (o, d) = (ray.origin.coordinates, ray.direction);
-    is_past(o.x, d.x) || is_past(o.y, d.y) || is_past(o.z, d.z)
+    has_left(o.x, d.x) || has_left(o.y, d.y) || has_left(o.z, d.z)
 }
 
 #[cfg(test)]
@@ -312,7 +440,7 @@ mod tests {
     use std::println;
 
     use super::*;
-    use crate::geometry::OriginSurface;
+    use crate::geometry::{NEAR, OriginSurface};
     use crate::math::{NEAR_LIMIT, direction};
 
     fn vector(random: &mut Rng, reach: f64) -> Vec3<Length> {
@@ -320,9 +448,9 @@ mod tests {
         Vec3::new(c(), c(), c())
     }
 
-    /// It is met where any other is, wherever the ray comes from.
+    /// Compares the path for near planes with the general path, from random origins.
     #[test]
-    fn a_plane_that_is_near_is_met_without_regard_to_what_is_far() {
+    fn a_near_plane_has_the_hits_of_any_plane() {
         let random = &mut Rng::with_seed(1);
         let (mut met, mut passed, mut dropped) = (0, 0, 0);
         for _ in 0..if cfg!(miri) { 300 } else { 300_000 } {
@@ -346,7 +474,7 @@ mod tests {
                 is_near: false,
                 ..near
             };
-            // Towards somewhere between, and not of unit length, as an eye ray.
+            // Towards a point between the ends, not of unit length, like a camera ray.
             let origin = vector(random, 3.4);
             let share = Length::from_num(random.f64());
             let mut to = a.zip(b, |a, b| a + (b - a) * share);
@@ -355,36 +483,35 @@ mod tests {
             }
             let mut direction = (to - origin).map(|c| Unit::from_bits(c.to_bits() >> 1));
             if random.bool() {
-                // Or along it, and far away.
+                // Nearly parallel to the plane, towards the extended range.
                 direction = vector(random, 1.0).map(|c| Unit::from_bits(c.to_bits() << 2));
                 direction.y = Unit::from_bits(direction.y.to_bits() >> random.u32(..8));
             }
             let ray = Ray {
                 origin: Point::near(origin),
                 direction,
-                start: OriginSurface::NOWHERE,
+                leaves: OriginSurface::NONE,
             };
             let expected = any.distance(&ray, NEAR_LIMIT);
             let expected = expected.filter(|distance| *distance < NEAR_LIMIT);
             let found = near.distance(&ray, NEAR_LIMIT);
             let is_far = found == Some(Length::MAX);
             assert_eq!(found.filter(|_| !is_far), expected, "{near:?} {ray:?}");
-            // Nothing is lost of what is farther away.
-            assert!(found.is_some() || any.far_distance(&ray).is_none());
+            // A hit in the extended range is not lost.
+            assert!(found.is_some() || any.intersect_extended(&ray, false).is_none());
             dropped += i32::from(any.distance(&ray, NEAR_LIMIT).is_some() && found.is_none());
             met += i32::from(expected.is_some());
             passed += i32::from(expected.is_none());
         }
         assert!(
             30 * met > passed && dropped > 0,
-            "{met} met, {passed} passed by"
+            "{met} met, {passed} missed"
         );
     }
 
-    /// In steps: a quotient and a product are rounded, and depths, which far along the plane
-    /// tell on where it is crossed.
+    /// Errors are in steps: a quotient, a product and both depths are rounded.
     #[test]
-    fn the_way_of_a_light_crosses_a_plane_where_it_is() {
+    fn the_crossing_of_a_shadow_segment_is_on_the_plane() {
         let random = &mut Rng::with_seed(2);
         let (mut worst_off_way, mut worst_off_plane, mut crossed) = (0.0_f64, 0, 0);
         for _ in 0..if cfg!(miri) { 300 } else { 100_000 } {
@@ -394,7 +521,7 @@ mod tests {
             };
             let offset = i64::from(Length::from_num(2.0 * random.f64() - 1.0).to_bits());
             let plane = Plane::new(normal, offset, None);
-            if !plane.is_between(light, Point::near(point), normal) {
+            if !plane.separates(light, Point::near(point), normal) {
                 continue;
             }
             crossed += 1;
@@ -412,12 +539,12 @@ mod tests {
             }
             worst_off_plane = worst_off_plane.max(plane.depth(Point::near(crossing)).abs());
         }
-        println!("{crossed} ways, {worst_off_way:.2} off them, {worst_off_plane} off the plane");
+        println!("{crossed} segments, {worst_off_way:.2} off the line, {worst_off_plane} off the plane");
         assert!(crossed > 90 && worst_off_way < 2.5 && worst_off_plane <= 4);
     }
 
     #[test]
-    fn an_endless_plane_is_not_near() {
+    fn an_unbounded_plane_is_not_near() {
         let up = Vec3::new(Unit::ZERO, Unit::ONE, Unit::ZERO);
         let one = Vec3::new(Length::ONE, Length::ONE, Length::ONE);
         let bounds = ClipBox {
@@ -436,31 +563,5 @@ mod tests {
         assert!(!is_near(0, Some(open(|v| &mut v.x))));
         assert!(!is_near(0, Some(open(|v| &mut v.z))));
         assert!(!is_near(0, None));
-    }
-
-    #[test]
-    fn a_box_holds_a_step_more_than_what_is_between_its_ends() {
-        let length = Length::from_bits;
-        let bounds = ClipBox {
-            low: Vec3::new(length(-100), Length::MIN, length(8)),
-            high: Vec3::new(length(50), length(0), Length::MAX),
-        };
-        let contains = |x, y, z, shift| {
-            let coordinates = Vec3::new(x, y, z).map(length);
-            bounds.contain(&Point { coordinates, shift })
-        };
-        for (x, is_within) in [(-102, false), (-101, true), (51, true), (52, false)] {
-            assert_eq!(contains(x, 0, 8, 0), is_within, "x {x}");
-        }
-        for (y, is_within) in [(-NEAR, true), (1, true), (2, false)] {
-            assert_eq!(contains(0, y, 8, 0), is_within, "y {y}");
-        }
-        for (z, is_within) in [(6, false), (7, true), (NEAR, true)] {
-            assert_eq!(contains(0, 0, z, 0), is_within, "z {z}");
-        }
-        // In steps of 4.
-        for (x, is_within) in [(-26, false), (-25, true), (12, true), (13, false)] {
-            assert_eq!(contains(x, -1, 2, 2), is_within, "4 * {x}");
-        }
     }
 }

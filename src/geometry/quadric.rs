@@ -1,46 +1,82 @@
-//! Surfaces of the second degree around the y axis, and ellipsoids.
+//! Quadrics: ellipsoids, and cylinders, cones and paraboloids around the y axis.
 //!
-//! Each form gives the quadratic equation of a ray and the gradient at a point;
-//! what follows from them is here, the same for all.
+//! Each form gives the quadratic equation of a ray and the gradient at a point. Everything
+//! that follows from these is here, once for all forms.
 
-mod cone;
-mod cylinder;
-mod ellipsoid;
-mod paraboloid;
+pub(super) mod cone;
+pub(super) mod cylinder;
+pub(super) mod ellipsoid;
+mod form;
+pub(super) mod paraboloid;
+mod placed;
 mod quadratic;
+mod ratio;
 
-pub(crate) use cone::Cone;
-pub(crate) use cylinder::Cylinder;
-pub(crate) use ellipsoid::Ellipsoid;
-pub(crate) use paraboloid::Paraboloid;
-
-use quadratic::Quadratic;
-
-use crate::geometry::bounds::BoundingSphere;
-
-use crate::geometry::{HORIZON, Point, Ray};
+use super::bounding_sphere::BoundingSphere;
+use super::point::{HORIZON, Point};
+use super::primitive::{Primitive, PrimitivePart};
+use super::ray::Ray;
+use super::shadow_segment::ShadowSegment;
+use super::surface::SurfaceFlags;
+use super::valid;
+use crate::archive::{self, Archive, Fields};
 use crate::math::{
     Length, Product, SoftFloat, Square, Unit, Vec3, direction, round_length, square_root,
 };
+use crate::observer::{Observer, ShapeKind};
+use cone::Cone;
+use cylinder::Cylinder;
+use ellipsoid::Ellipsoid;
+use form::QuadricForm;
+use paraboloid::Paraboloid;
+pub(super) use placed::Placed;
+use quadratic::Quadratic;
 
 /// A surface of the second degree.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Quadric {
-    /// A point that the form's coordinates count from, within ±1.
-    pub(crate) center: Vec3<Length>,
-    /// Where along y it begins and ends.
-    pub(crate) clamp: Option<[Length; 2]>,
-    pub(crate) form: Form,
+    /// Point that the coordinates of the form count from, within ±1.
+    center: Vec3<Length>,
+    /// Lower and upper end along y; `None` if the form is not clamped.
+    clamp: Option<[Length; 2]>,
+    form: Form,
 }
 
-/// What a quadric can be.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Form {
+enum Form {
     Ellipsoid(Ellipsoid),
     Cylinder(Cylinder),
     Cone(Cone),
     Paraboloid(Paraboloid),
 }
+
+/// Evaluates an expression for the form of a quadric: the only dispatch over forms.
+macro_rules! dispatch {
+    ($form:expr, $it:ident => $answer:expr) => {
+        match $form {
+            Form::Ellipsoid($it) => $answer,
+            Form::Cylinder($it) => $answer,
+            Form::Cone($it) => $answer,
+            Form::Paraboloid($it) => $answer,
+        }
+    };
+}
+
+macro_rules! from_forms {
+    ($($form:ident),*) => {$(
+        impl From<Placed<$form>> for Quadric {
+            fn from(Placed { center, clamp, form }: Placed<$form>) -> Self {
+                Self {
+                    center,
+                    clamp,
+                    form: Form::$form(form),
+                }
+            }
+        }
+    )*};
+}
+
+from_forms!(Ellipsoid, Cylinder, Cone, Paraboloid);
 
 impl Default for Form {
     fn default() -> Self {
@@ -48,64 +84,62 @@ impl Default for Form {
     }
 }
 
+/// Largest distance between two points of the bounded geometry, in any direction: it is
+/// within ±1.
+const FARTHEST: Length = Length::lit("3.5");
+
 impl Quadric {
-    /// Whether it has points beyond the finite geometry.
-    #[inline]
-    pub(crate) fn is_endless(&self) -> bool {
-        self.clamp.is_none() && !matches!(self.form, Form::Ellipsoid(_))
-    }
-
-    /// A sphere around all of it; `None` if it is endless.
-    pub(crate) fn bounding_sphere(&self) -> Option<BoundingSphere> {
-        /// Finite geometry is within ±1, so that nothing is farther away from
-        /// something finite.
-        const FARTHEST: Length = Length::lit("3.5");
-        /// More than roundings take.
-        const MARGIN: Length = Length::lit("0.000001");
-
-        if self.is_endless() {
-            return None;
-        }
-        let height = self.clamp.map_or(Length::ZERO, |[low, high]| {
-            (high - self.center.y).max(self.center.y - low)
-        });
-        let width = match &self.form {
-            Form::Ellipsoid(form) => form.longest(),
-            Form::Cylinder(form) => Some(form.radius),
-            Form::Cone(form) => form.widest(height),
-            Form::Paraboloid(form) => form.widest(height),
+    /// Returns the quadric that a tag of a compiled scene starts with, before its fields are
+    /// read; `None` for tags of other shapes.
+    pub(super) fn of_tag(tag: u8) -> Option<Self> {
+        let form = match tag {
+            Ellipsoid::TAG => Form::Ellipsoid(Ellipsoid::default()),
+            Cylinder::TAG => Form::Cylinder(Cylinder::default()),
+            Cone::TAG => Form::Cone(Cone::default()),
+            Paraboloid::TAG => Form::Paraboloid(Paraboloid::default()),
+            _ => return None,
         };
-        let width = width.map_or(FARTHEST, |width| width.min(FARTHEST));
-        let square = width.square() + height.square();
-        let radius = Length::from_bits(square_root(square.to_bits() as u64) as i32);
-        Some(BoundingSphere {
-            center: self.center,
-            radius: (radius + MARGIN).min(FARTHEST),
+        Some(Self {
+            form,
+            ..Self::default()
         })
     }
 
-    /// Whether it bounds no inside.
-    #[inline]
-    pub(crate) fn is_open(&self) -> bool {
-        self.clamp.is_some()
+    /// Tag of the quadric in a compiled scene.
+    pub(super) fn tag(&self) -> u8 {
+        fn tag<F: QuadricForm>(_: &F) -> u8 {
+            F::TAG
+        }
+        dispatch!(&self.form, form => tag(form))
     }
 
-    /// Where a ray crosses it ahead, in no order. A finite one is met from near
-    /// origins only.
+    fn kind(&self) -> ShapeKind {
+        fn kind<F: QuadricForm>(_: &F) -> ShapeKind {
+            F::KIND
+        }
+        dispatch!(&self.form, form => kind(form))
+    }
+
+    /// Returns true if the quadric extends beyond the bounded geometry.
+    fn is_unbounded(&self) -> bool {
+        self.clamp.is_none() && self.tag() != Ellipsoid::TAG
+    }
+
+    /// Distances of the hits of a ray, in no order. A bounded quadric expects a near origin.
     ///
-    /// `start` says whether a ray that starts on it is `inward`: then one root
-    /// is known to be the start, and the other needs no square root.
+    /// `side` if the ray leaves this quadric: true for its inside. One root is then known to
+    /// be the origin, and the other needs no square root.
     #[inline(never)]
-    pub(crate) fn crossings(&self, ray: &Ray, start: Option<bool>) -> [Option<SoftFloat>; 2] {
+    fn hits(&self, ray: &Ray, side: Option<bool>) -> [Option<SoftFloat>; 2] {
         let quadratic = self.quadratic(ray);
-        let mut roots = match start {
+        let mut roots = match side {
             None => quadratic.roots(),
-            Some(inward) => [quadratic.across(inward), None],
+            Some(is_inside) => [quadratic.other_root(is_inside), None],
         };
         for root in &mut roots {
             if let Some(distance) = root {
                 distance.exponent += i32::from(ray.origin.shift);
-                if !self.reaches(ray, *distance) {
+                if !self.contains(ray, *distance) {
                     *root = None;
                 }
             }
@@ -113,30 +147,24 @@ impl Quadric {
         roots
     }
 
-    /// The nearest of them.
-    #[inline]
-    pub(crate) fn nearest(&self, ray: &Ray, start: Option<bool>) -> Option<SoftFloat> {
-        match self.crossings(ray, start) {
+    /// Distance of the nearest hit.
+    fn nearest(&self, ray: &Ray, is_origin: bool) -> Option<SoftFloat> {
+        match self.hits(ray, is_origin.then_some(ray.leaves.is_inside)) {
             [Some(first), Some(second)] => Some(first.min(second)),
             [first, second] => first.or(second),
         }
     }
 
-    #[inline]
     fn quadratic(&self, ray: &Ray) -> Quadratic {
         let Point { shift, .. } = ray.origin;
         let offset = -ray.origin.to(self.center);
-        match &self.form {
-            Form::Ellipsoid(form) => form.quadratic(offset, ray.direction),
-            Form::Cylinder(form) => form.quadratic(offset, ray.direction, shift),
-            Form::Cone(form) => form.quadratic(offset, ray.direction, shift),
-            Form::Paraboloid(form) => form.quadratic(offset, ray.direction),
-        }
+        dispatch!(&self.form, form => form.quadratic(offset, ray.direction, shift))
     }
 
-    /// Whether the surface is there: within its clamp, or before the horizon.
+    /// Returns true if the hit at a distance is within the clamp, or before the horizon if
+    /// there is no clamp.
     #[inline(never)]
-    fn reaches(&self, ray: &Ray, distance: SoftFloat) -> bool {
+    fn contains(&self, ray: &Ray, distance: SoftFloat) -> bool {
         let Some([low, high]) = self.clamp else {
             return distance.exponent <= HORIZON;
         };
@@ -146,18 +174,130 @@ impl Quadric {
             low <= y && y <= high
         })
     }
+}
 
-    /// The unit normal at a point, outward or away from the axis; zero at the
-    /// apex of a cone.
-    #[inline(never)]
-    pub(crate) fn normal(&self, point: Point) -> Vec3<Unit> {
-        let offset = -point.to(self.center);
-        let gradient = match &self.form {
-            Form::Ellipsoid(form) => form.gradient(offset),
-            Form::Cylinder(form) => form.gradient(offset),
-            Form::Cone(form) => form.gradient(offset, point.shift),
-            Form::Paraboloid(form) => form.gradient(offset),
+impl Primitive for Quadric {
+    fn is_valid(&self) -> bool {
+        let tag = self.tag();
+        let is_clamp_right = match self.clamp {
+            Some(_) => tag != Ellipsoid::TAG,
+            None => tag != Paraboloid::TAG,
         };
-        direction(gradient).unwrap_or(Vec3::new(Unit::ZERO, Unit::ZERO, Unit::ZERO))
+        is_clamp_right
+            && dispatch!(&self.form, form => form.is_valid())
+            && valid::is_within_one(&self.center)
+            && self.clamp.is_none_or(|ends| {
+                ends.into_iter()
+                    .all(|y| valid::is_within(y, Length::ONE))
+            })
+    }
+
+    /// A clamped quadric is open: it encloses nothing.
+    fn flags(&self) -> SurfaceFlags {
+        SurfaceFlags::NONE
+            .with(SurfaceFlags::BOUNDED, !self.is_unbounded())
+            .with(SurfaceFlags::OPEN, self.clamp.is_some())
+    }
+
+    fn bounding_sphere(&self) -> Option<BoundingSphere> {
+        /// More than all roundings.
+        const MARGIN: Length = Length::lit("0.000001");
+        if self.is_unbounded() {
+            return None;
+        }
+        let height = self.clamp.map_or(Length::ZERO, |[low, high]| {
+            (high - self.center.y).max(self.center.y - low)
+        });
+        let width = dispatch!(&self.form, form => form.max_radius(height));
+        let width = width.map_or(FARTHEST, |width| width.min(FARTHEST));
+        let square = width.square() + height.square();
+        let radius = Length::from_bits(square_root(square.to_bits() as u64) as i32);
+        Some(BoundingSphere {
+            center: self.center,
+            radius: (radius + MARGIN).min(FARTHEST),
+        })
+    }
+
+    #[inline(never)]
+    fn intersect(
+        &self,
+        ray: &Ray,
+        is_origin: bool,
+        _: Length,
+        _: &mut PrimitivePart,
+        observer: &mut impl Observer,
+    ) -> Option<Length> {
+        let distance = self
+            .nearest(ray, is_origin)
+            .map(|distance| distance.near().unwrap_or(Length::MAX))
+            .filter(|distance| is_origin || *distance > Length::ZERO);
+        observer.test(self.kind(), distance.is_some());
+        distance
+    }
+
+    fn intersect_extended(&self, ray: &Ray, is_origin: bool) -> Option<SoftFloat> {
+        if self.is_unbounded() {
+            self.nearest(ray, is_origin)
+        } else {
+            None
+        }
+    }
+
+    /// Zero at the apex of a cone.
+    #[inline(never)]
+    fn normal(&self, point: Point, _: &PrimitivePart, _: bool) -> Option<Vec3<Unit>> {
+        let offset = -point.to(self.center);
+        let gradient = dispatch!(&self.form, form => form.gradient(offset, point.shift));
+        Some(direction(gradient).unwrap_or_default())
+    }
+
+    #[inline(always)]
+    fn count_crossings(
+        &self,
+        _: &ShadowSegment<'_>,
+        _: bool,
+        _: bool,
+        _: &mut impl Observer,
+    ) -> Option<u8> {
+        None
+    }
+
+    /// A quadric that contains the lit point is searched from that point, where one root is
+    /// known.
+    fn visit_crossings(
+        &self,
+        segment: &ShadowSegment<'_>,
+        is_origin: bool,
+        observer: &mut impl Observer,
+        visit: &mut dyn FnMut(Point) -> bool,
+    ) {
+        let mut ray = segment.to_ray();
+        if is_origin {
+            ray = Ray {
+                origin: segment.ray.origin,
+                direction: -ray.direction,
+                leaves: segment.ray.leaves,
+            };
+        }
+        let hits = self.hits(&ray, is_origin.then_some(ray.leaves.is_inside));
+        observer.test(self.kind(), hits != [None, None]);
+        for distance in hits.into_iter().flatten() {
+            if !segment.visit_at(&ray, distance, visit) {
+                return;
+            }
+        }
+    }
+}
+
+impl Fields for Quadric {
+    fn visit(&mut self, archive: &mut impl Archive) {
+        archive::vector(&mut self.center, archive);
+        let mut is_clamped = u8::from(self.clamp.is_some());
+        is_clamped.visit(archive);
+        let [mut low, mut high] = self.clamp.unwrap_or_default();
+        archive::fixed(&mut low, archive);
+        archive::fixed(&mut high, archive);
+        self.clamp = (is_clamped != 0).then_some([low, high]);
+        dispatch!(&mut self.form, form => form.visit(archive));
     }
 }

@@ -1,37 +1,84 @@
+//! Spheres.
+
 use fixed::types::I8F56;
 
-use crate::math::{Length, Square, Unit, Vec3, inverse_length, round_length, square_root};
+use super::bounding_sphere::BoundingSphere;
+use super::extent::Extent;
+use super::limits;
+use super::normalization::Normalization;
+use super::point::Point;
+use super::primitive::{AuthoredShape, Primitive, PrimitivePart};
+use super::ray::Ray;
+use super::shadow_segment::ShadowSegment;
+use super::surface::SurfaceFlags;
+use super::valid;
+use crate::archive::{self, Archive, Fields};
+use crate::math::{
+    Length, Real, SoftFloat, Square, Unit, Vec3, inverse_length, round_length, square_root,
+};
+use crate::observer::{Observer, ShapeKind};
+use crate::scene::{SceneError, SceneItem};
 
-use crate::geometry::bounds::BoundingSphere;
+/// A sphere in world units.
+pub(super) struct Authored {
+    pub(super) center: Vec3<Real>,
+    pub(super) radius: Real,
+}
+
+impl AuthoredShape for Authored {
+    type Prepared = Sphere;
+
+    fn validate(&self, item: SceneItem) -> Result<(), SceneError> {
+        limits::point(item, "center", self.center)?;
+        limits::size(item, "radius", self.radius)
+    }
+
+    fn extend(&self, extent: &mut Extent) {
+        let radius = self.radius.to_bits();
+        extent.add_box(self.center, Vec3::new(radius, radius, radius));
+    }
+
+    fn prepare(
+        &self,
+        normalization: &Normalization,
+        item: SceneItem,
+    ) -> Result<Sphere, SceneError> {
+        limits::resolvable_size(item, "radius", self.radius, normalization)?;
+        Ok(Sphere::new(
+            normalization.point(self.center),
+            normalization.size(self.radius),
+        ))
+    }
+}
 
 /// A sphere within ±1.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Sphere {
-    pub(crate) center: Vec3<Length>,
-    pub(crate) radius: Length,
+    center: Vec3<Length>,
+    radius: Length,
     radius_squared: I8F56,
 }
 
-/// What a sphere cuts out of a line.
+/// The part of a line that is inside a sphere.
 struct Chord {
-    /// From a point of the line to the sphere's center.
+    /// Vector from the origin of the line to the center of the sphere.
     to_center: Vec3<Length>,
-    /// From there to the middle of the chord.
+    /// Distance from the origin to the middle of the chord.
     middle: Length,
-    /// The square of half the chord.
+    /// Square of half the length.
     discriminant: I8F56,
 }
 
 impl Chord {
-    /// Half of the chord, one step at least.
-    #[inline]
+    /// Half of the length, at least one step.
+    #[inline(always)]
     fn half(&self) -> Length {
         let root = inverse_length(self.discriminant.to_bits() as u64).length();
         Length::from_bits(root as i32)
     }
 
-    /// The same, not inlined.
-    fn half_of_few(&self) -> Length {
+    /// Half of the length, by a call: for rare cases, where flash counts more than time.
+    fn half_outlined(&self) -> Length {
         Length::from_bits(square_root(self.discriminant.to_bits().max(1) as u64) as i32)
     }
 }
@@ -45,19 +92,16 @@ impl Sphere {
         }
     }
 
-    /// A sphere around all of it: itself.
-    pub(crate) fn bounding_sphere(&self) -> BoundingSphere {
-        BoundingSphere {
-            center: self.center,
-            radius: self.radius,
-        }
+    /// Tag of a sphere in a compiled scene.
+    pub(super) fn tag(&self) -> u8 {
+        0
     }
 
-    /// The chord of a line, if it meets the sphere.
+    /// Returns the chord of a line, if the line meets the sphere.
     ///
-    /// The discriminant is `r² - |l|²`, `l` from the center to the chord's
-    /// middle: the textbook's `b² - c` loses the bits of a small sphere far
-    /// away, which `l` keeps (Haines and others, Ray Tracing Gems 2019, ch. 7).
+    /// The discriminant is `r² - |l|²`, with `l` from the center to the middle of the chord.
+    /// The textbook form `b² - c` loses the bits of a small sphere far away; `l` keeps them
+    /// (Haines and others, Ray Tracing Gems 2019, chapter 7).
     #[inline(always)]
     fn chord(&self, origin: Vec3<Length>, direction: Vec3<Unit>) -> Option<Chord> {
         let to_center = self.center - origin;
@@ -71,50 +115,50 @@ impl Sphere {
         })
     }
 
-    /// A chord that is ahead of the ray or around its start, and whether it starts
-    /// outside.
+    /// Returns a chord that is not entirely behind the origin, and true if the origin is
+    /// outside of the sphere.
     #[inline(always)]
-    fn approach(&self, origin: Vec3<Length>, direction: Vec3<Unit>) -> Option<(Chord, bool)> {
+    fn chord_ahead(&self, origin: Vec3<Length>, direction: Vec3<Unit>) -> Option<(Chord, bool)> {
         let chord = self.chord(origin, direction)?;
         let is_outside = self.is_outside(&chord)?;
         Some((chord, is_outside))
     }
 
-    /// Whether the ray starts outside; `None` if the chord is behind it.
+    /// Returns true if the origin is outside of the sphere; `None` if the chord is behind it.
     #[inline(always)]
     fn is_outside(&self, chord: &Chord) -> Option<bool> {
         let is_outside = chord.to_center.squared() > self.radius_squared;
         (!is_outside || chord.middle > Length::ZERO).then_some(is_outside)
     }
 
-    /// Whether the line from a point enters the sphere, and leaves it, before
-    /// `distance`: no root is needed to know.
-    #[inline]
-    pub(crate) fn is_crossed(
+    /// Returns true for the entry, and for the exit, if a ray reaches them before `distance`.
+    /// Needs no square root.
+    #[inline(always)]
+    fn crosses_before(
         &self,
         origin: Vec3<Length>,
         direction: Vec3<Unit>,
         distance: Length,
     ) -> [bool; 2] {
-        let Some((chord, is_outside)) = self.approach(origin, direction) else {
+        let Some((chord, is_outside)) = self.chord_ahead(origin, direction) else {
             return [false; 2];
         };
-        // The entry is before the chord's middle, the exit after it.
+        // The entry is before the middle of the chord, the exit after it.
         let rest = distance.saturating_sub(chord.middle);
-        let is_beyond_middle = rest > Length::ZERO;
+        let is_past_middle = rest > Length::ZERO;
         let square = rest.square();
         [
-            is_outside && (is_beyond_middle || square < chord.discriminant),
-            is_beyond_middle && square > chord.discriminant,
+            is_outside && (is_past_middle || square < chord.discriminant),
+            is_past_middle && square > chord.discriminant,
         ]
     }
 
-    /// The distance to the nearest hit ahead.
-    #[inline]
-    pub(crate) fn distance(&self, origin: Vec3<Length>, direction: Vec3<Unit>) -> Option<Length> {
-        /// An offset is off by a step and a half, and so half a chord by `sqrt(3 r)` at
-        /// most, which is less than 2^15 steps: whoever has more than twice that to go
-        /// to the entry starts outside.
+    /// Distance of the nearest hit ahead of a ray that starts elsewhere.
+    #[inline(always)]
+    fn distance(&self, origin: Vec3<Length>, direction: Vec3<Unit>) -> Option<Length> {
+        /// The offset of the chord is off by at most a step and a half, and half the chord by
+        /// `sqrt(3 r)`, less than 2^15 steps. A ray whose entry is farther than twice that
+        /// starts outside.
         const OFF: Length = Length::from_bits(1 << 16);
         let chord = self.chord(origin, direction)?;
         if chord.middle > Length::ZERO {
@@ -123,46 +167,127 @@ impl Sphere {
                 return Some(entry);
             }
         }
-        self.distance_from_close(&chord)
+        self.distance_from_nearby(&chord)
     }
 
-    /// The same from a point that may be inside.
+    /// Distance of the nearest hit ahead of a ray that may start inside the sphere.
     #[cold]
     #[inline(never)]
-    fn distance_from_close(&self, chord: &Chord) -> Option<Length> {
+    fn distance_from_nearby(&self, chord: &Chord) -> Option<Length> {
         let is_outside = self.is_outside(chord)?;
-        let half = chord.half_of_few();
+        let half = chord.half_outlined();
         let distance = chord.middle + if is_outside { -half } else { half };
         (distance > Length::ZERO).then_some(distance)
     }
 
-    /// From a point on the sphere through its inside to the other end of the
-    /// chord: no root is needed.
-    #[inline]
-    pub(crate) fn across(&self, origin: Vec3<Length>, direction: Vec3<Unit>) -> Length {
+    /// Length of the chord of a ray that starts on the sphere and runs through its inside.
+    /// Needs no square root.
+    #[inline(always)]
+    fn chord_length(&self, origin: Vec3<Length>, direction: Vec3<Unit>) -> Length {
         let to_center = self.center - origin;
         round_length::<29>(to_center.along(direction).to_bits()).max(Length::ZERO)
     }
+}
 
-    /// Where the line crosses the sphere ahead of `origin`; both ends in order.
-    #[inline]
-    pub(crate) fn crossings(
-        &self,
-        origin: Vec3<Length>,
-        direction: Vec3<Unit>,
-    ) -> [Option<Length>; 2] {
-        let Some((chord, is_outside)) = self.approach(origin, direction) else {
-            return [None, None];
-        };
-        let half = chord.half_of_few();
-        let entry = is_outside.then(|| chord.middle - half);
-        [entry, Some(chord.middle + half)]
+impl Primitive for Sphere {
+    fn is_valid(&self) -> bool {
+        valid::is_within_one(&self.center) && valid::is_size(self.radius)
     }
 
-    /// The outward unit normal at a point of the sphere.
-    #[inline]
-    pub(crate) fn normal(&self, point: Vec3<Length>) -> Vec3<Unit> {
-        (point - self.center).normalized().0
+    fn flags(&self) -> SurfaceFlags {
+        SurfaceFlags::BOUNDED.with(SurfaceFlags::CONVEX, true)
+    }
+
+    fn bounding_sphere(&self) -> Option<BoundingSphere> {
+        Some(BoundingSphere {
+            center: self.center,
+            radius: self.radius,
+        })
+    }
+
+    fn is_sphere(&self) -> bool {
+        true
+    }
+
+    #[inline(always)]
+    fn is_near(&self) -> bool {
+        true
+    }
+
+    #[inline(always)]
+    fn intersect(
+        &self,
+        ray: &Ray,
+        is_origin: bool,
+        _: Length,
+        _: &mut PrimitivePart,
+        observer: &mut impl Observer,
+    ) -> Option<Length> {
+        let origin = ray.origin.coordinates;
+        let distance = if is_origin {
+            Some(self.chord_length(origin, ray.direction))
+        } else {
+            self.distance(origin, ray.direction)
+        };
+        observer.test(ShapeKind::Sphere, distance.is_some());
+        distance
+    }
+
+    #[inline(always)]
+    fn normal(&self, point: Point, _: &PrimitivePart, _: bool) -> Option<Vec3<Unit>> {
+        Some((point.coordinates - self.center).normalized().0)
+    }
+
+    #[inline(always)]
+    fn count_crossings(
+        &self,
+        segment: &ShadowSegment<'_>,
+        is_origin: bool,
+        _: bool,
+        observer: &mut impl Observer,
+    ) -> Option<u8> {
+        let direction = -segment.direction_to_light();
+        let [entry, exit] = self.crosses_before(segment.light, direction, segment.near_length());
+        // From the inside of a sphere the exit is the lit point itself.
+        let count = u8::from(entry) + u8::from(exit && !is_origin);
+        observer.test(ShapeKind::Sphere, count > 0);
+        Some(count)
+    }
+
+    fn visit_crossings(
+        &self,
+        segment: &ShadowSegment<'_>,
+        is_origin: bool,
+        _: &mut impl Observer,
+        visit: &mut dyn FnMut(Point) -> bool,
+    ) {
+        let ray = segment.to_ray();
+        let Some((chord, is_outside)) = self.chord_ahead(segment.light, ray.direction) else {
+            return;
+        };
+        let half = chord.half_outlined();
+        let entry = is_outside.then(|| chord.middle - half);
+        // From the inside of a sphere the exit is the lit point itself.
+        let exit = (!is_origin).then(|| chord.middle + half);
+        for distance in [entry, exit].into_iter().flatten() {
+            let is_ahead = distance > Length::ZERO;
+            if is_ahead && !segment.visit_at(&ray, SoftFloat::unordered(distance), visit) {
+                return;
+            }
+        }
+    }
+}
+
+impl Fields for Sphere {
+    fn visit(&mut self, archive: &mut impl Archive) {
+        let Self {
+            mut center,
+            mut radius,
+            ..
+        } = *self;
+        archive::vector(&mut center, archive);
+        archive::fixed(&mut radius, archive);
+        *self = Self::new(center, radius);
     }
 }
 
@@ -178,9 +303,9 @@ mod tests {
         Vec3::new(c(), c(), c())
     }
 
-    /// Rays from close to the surface, most of them almost along it.
+    /// Rays that start close to the surface, most of them nearly tangent.
     #[test]
-    fn where_a_ray_starts_is_asked_wherever_it_matters() {
+    fn the_shortcut_for_distant_entries_changes_no_distance() {
         let random = &mut Rng::with_seed(1);
         let rays = if cfg!(miri) { 300 } else { 300_000 };
         let mut met = 0;
@@ -190,7 +315,7 @@ mod tests {
             let Some(up) = direction(vector(random, 1.0).map(|c| c.to_bits().into())) else {
                 continue;
             };
-            // In or above the surface by 1 to 2^18 steps.
+            // Start 1 to 2^18 steps inside or outside of the surface.
             let above = (1 << random.u32(..19)) * [-1, 1][random.usize(..2)];
             let origin = sphere.center + up.times(sphere.radius + Length::from_bits(above));
             let Some(other) = direction(vector(random, 1.0).map(|c| c.to_bits().into())) else {
@@ -205,7 +330,7 @@ mod tests {
                 continue;
             };
             let exact = sphere.chord(origin, along);
-            let exact = exact.and_then(|chord| sphere.distance_from_close(&chord));
+            let exact = exact.and_then(|chord| sphere.distance_from_nearby(&chord));
             assert_eq!(
                 sphere.distance(origin, along),
                 exact,

@@ -1,70 +1,87 @@
 //! The sphereflake: every sphere is touched by twelve smaller ones (Haines 1987).
 //!
-//! Nothing of it is stored. A ray walks the tree of spheres from the largest,
-//! the nearer child first, and passes over what it misses as a whole. Each
-//! level has a frame and a unit of its own, so that the smallest sphere is as
-//! exact as the largest, and memory grows with the depth alone.
+//! The spheres are not stored. A ray traverses the tree of spheres from the root, nearer
+//! children first, and skips subtrees whose bounding sphere it misses. Every level has its own
+//! frame and unit of length, so the smallest sphere is as exact as the largest, and memory
+//! grows with the depth only.
 
-mod direction;
-mod flake;
+pub(super) mod authored;
+mod child_frame;
 mod node;
-mod walk;
-mod word;
+mod parameters;
+mod traversal;
 
-pub(crate) use flake::{MAX_DEPTH as MAX_FLAKE_DEPTH, NodePath, Sphereflake, SphereflakeParams};
-
-use crate::geometry::{OriginSurface, Ray};
+use super::bounding_sphere::BoundingSphere;
+use super::point::Point;
+use super::primitive::{Primitive, PrimitivePart};
+use super::ray::Ray;
+use super::shadow_segment::ShadowSegment;
+use super::surface::{OriginSurface, SurfaceFlags};
+use crate::archive::{self, Archive, Fields};
 use crate::math::{Length, Unit, Vec3, high};
 use crate::observer::{Observer, ShapeKind};
 use node::Node;
-use walk::{Goal, Nodes, Waiting, Walk};
+pub(crate) use parameters::Sphereflake;
+use parameters::{NodePath, SphereflakeParams};
+use traversal::{NodeStack, PendingChildren, Query, Traversal};
 
-/// Where a ray meets the flake first.
+/// Tag of a sphereflake in a compiled scene.
+pub(super) const TAG: u8 = 7;
+
+/// Path of no sphere: children are numbered from 1 to 12.
+const NO_PATH: NodePath = NodePath::MAX;
+
+/// The nearest hit of a ray.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct FlakeHit {
+struct FlakeHit {
     /// Q60.
     distance: i64,
-    pub(crate) path: NodePath,
-    /// Outward, in the frame of the sphere.
+    path: NodePath,
+    /// Outward unit normal, in the frame of the sphere.
     normal: Vec3<Unit>,
 }
 
 impl FlakeHit {
-    /// Rounded, and above 0.
-    pub(crate) fn distance(&self) -> Length {
+    /// Distance, rounded, at least one step.
+    fn distance(&self) -> Length {
         Length::from_bits(high(self.distance + (1 << 31)).max(1))
     }
 }
 
 impl Sphereflake {
-    /// The nearest hit ahead, if it is below `limit`, of a ray that starts
-    /// `from` one of the spheres or elsewhere.
-    pub(crate) fn nearest(
+    /// Tag of the flake in a compiled scene.
+    pub(super) fn tag(&self) -> u8 {
+        TAG
+    }
+
+    /// Nearest hit of a ray before the distance `limit`. `origin` if the ray leaves a sphere
+    /// of this flake.
+    fn nearest(
         &self,
         ray: &Ray,
-        from: Option<OriginSurface>,
+        origin: Option<OriginSurface>,
         limit: Length,
         observer: &mut impl Observer,
     ) -> Option<FlakeHit> {
-        let mut reach = i64::from(limit.to_bits()) << 32;
+        let mut t_max = i64::from(limit.to_bits()) << 32;
         let mut nearest = None;
-        if let Some(from) = from.filter(|from| from.inward) {
-            let across = self.across(ray, from.part, observer);
-            let across = across.filter(|it| it.distance < reach);
-            reach = across.map_or(reach, |it| it.distance);
-            nearest = across;
+        if let Some(origin) = origin.filter(|origin| origin.is_inside) {
+            let exit = self.exit(ray, origin.part, observer);
+            let exit = exit.filter(|hit| hit.distance < t_max);
+            t_max = exit.map_or(t_max, |hit| hit.distance);
+            nearest = exit;
         }
-        let start = from.map_or(NO_PATH, |from| from.part);
-        self.walk(ray, start, reach, Goal::Nearest, observer, &mut |node| {
-            if node.path == start || !node.is_within(reach) {
-                return reach;
+        let origin = origin.map_or(NO_PATH, |origin| origin.part);
+        self.traverse(ray, origin, t_max, Query::Nearest, observer, &mut |node| {
+            if node.path == origin || !node.is_within(t_max) {
+                return t_max;
             }
             let [entry, _, exit] = node.chord();
             for past_foot in [entry, exit] {
                 let distance = node.distance_to(past_foot);
                 if distance > 0 {
-                    if distance < reach {
-                        reach = distance;
+                    if distance < t_max {
+                        t_max = distance;
                         nearest = Some(FlakeHit {
                             distance,
                             path: node.path,
@@ -74,153 +91,132 @@ impl Sphereflake {
                     break;
                 }
             }
-            reach
+            t_max
         });
         nearest
     }
 
-    /// From a point on a sphere through its inside to the other end of the
-    /// chord, which is a point where the ray grazes the sphere.
+    /// Exit of a ray that starts on a sphere and runs through its inside: the other end of
+    /// the chord, which is the origin itself if the ray grazes the sphere.
     #[cold]
-    fn across(&self, ray: &Ray, path: NodePath, observer: &mut impl Observer) -> Option<FlakeHit> {
-        let mut meeting = None;
-        self.walk(ray, path, i64::MAX, Goal::Start, observer, &mut |node| {
+    fn exit(&self, ray: &Ray, path: NodePath, observer: &mut impl Observer) -> Option<FlakeHit> {
+        let mut hit = None;
+        self.traverse(ray, path, i64::MAX, Query::Origin, observer, &mut |node| {
             let [_, middle, exit] = node.chord();
-            meeting = Some(FlakeHit {
+            hit = Some(FlakeHit {
                 distance: (2 * node.distance_to(middle)).max(0),
                 path,
                 normal: node.normal(exit),
             });
             0
         });
-        meeting
+        hit
     }
 
-    /// A sphere, as a ray sees it that sees the largest so.
+    /// Returns the node of the sphere at a path, given the root's.
     #[cold]
     #[inline(never)]
-    fn part(&self, largest: &Node, path: NodePath) -> Node {
-        let (mut node, mut left, mut generation) = (*largest, path, 0);
-        while left != 0 {
-            node = node.child(self, left & 15, 4 * generation);
-            left >>= 4;
+    fn node_at(&self, root: &Node, path: NodePath) -> Node {
+        let (mut node, mut rest, mut generation) = (*root, path, 0);
+        while rest != 0 {
+            node = node.child(self, rest & 15, 4 * generation);
+            rest >>= 4;
             generation += 1;
         }
         node
     }
 
-    /// Whether a ray crosses any of the spheres before `reach`.
-    pub(crate) fn is_between(
+    /// Visits the distances at which a ray crosses spheres, up to `t_max`, in no order, until
+    /// `visit` returns false. Returns true if the traversal stopped early.
+    ///
+    /// [`Query::Any`] may stop without a visit if a crossing is certain.
+    fn crossings(
         &self,
         ray: &Ray,
-        from: Option<OriginSurface>,
-        reach: Length,
-        observer: &mut impl Observer,
-    ) -> bool {
-        self.crossing(ray, from, reach, Goal::Any, observer, &mut |_| false)
-    }
-
-    /// Where a ray crosses any of the spheres, up to `reach`, in no order.
-    /// `visit` is told of each, and says whether to go on.
-    pub(crate) fn crossings(
-        &self,
-        ray: &Ray,
-        from: Option<OriginSurface>,
-        reach: Length,
-        observer: &mut impl Observer,
-        visit: &mut dyn FnMut(Length) -> bool,
-    ) {
-        self.crossing(ray, from, reach, Goal::All, observer, visit);
-    }
-
-    fn crossing(
-        &self,
-        ray: &Ray,
-        from: Option<OriginSurface>,
-        reach: Length,
-        goal: Goal,
+        origin: Option<OriginSurface>,
+        t_max: Length,
+        query: Query,
         observer: &mut impl Observer,
         visit: &mut dyn FnMut(Length) -> bool,
     ) -> bool {
-        let reach = i64::from(reach.to_bits()) << 32;
-        let start = from.map_or(NO_PATH, |from| from.part);
-        self.walk(ray, start, reach, goal, observer, &mut |node| {
-            let is_start = node.path == start;
+        let t_max = i64::from(t_max.to_bits()) << 32;
+        let path = origin.map_or(NO_PATH, |origin| origin.part);
+        self.traverse(ray, path, t_max, query, observer, &mut |node| {
+            let is_origin = node.path == path;
             // The light is on the inside, too, or comes in at the entry.
-            let is_left = is_start && from.is_some_and(|from| !from.inward);
-            if is_left || !node.is_within(reach) {
-                return reach;
+            let is_left = is_origin && origin.is_some_and(|origin| !origin.is_inside);
+            if is_left || !node.is_within(t_max) {
+                return t_max;
             }
             let [entry, _, exit] = node.chord();
             for past_foot in [entry, exit] {
                 let distance = node.distance_to(past_foot);
-                if (1..reach).contains(&distance) && !visit(Length::from_bits(high(distance))) {
+                if (1..t_max).contains(&distance) && !visit(Length::from_bits(high(distance))) {
                     return 0;
                 }
-                if is_start {
+                if is_origin {
                     break;
                 }
             }
-            reach
+            t_max
         })
     }
 
-    /// The outward unit normal of a hit.
-    pub(crate) fn normal(&self, meeting: &FlakeHit) -> Vec3<Unit> {
-        let mut normal = meeting.normal.map(Unit::to_bits);
-        let generations = (32 - meeting.path.leading_zeros()).div_ceil(4);
+    /// Outward unit normal of a hit, in the scene.
+    fn normal_of(&self, hit: &FlakeHit) -> Vec3<Unit> {
+        let mut normal = hit.normal.map(Unit::to_bits);
+        let generations = (32 - hit.path.leading_zeros()).div_ceil(4);
         for generation in (0..generations).rev() {
-            normal = direction::outward(normal, meeting.path >> (4 * generation) & 15);
+            normal = child_frame::to_parent(normal, hit.path >> (4 * generation) & 15);
         }
-        self.outward(normal.map(Unit::from_bits)).renormalized()
+        self.to_scene(normal.map(Unit::from_bits)).renormalized()
     }
 
-    /// Visits the spheres that the line of a ray passes through ahead of it,
-    /// up to `reach`, roughly in order, but those that the goal needs not.
-    /// `visit` says how far it reaches still: 0 to stop. Tells whether it did,
-    /// or is sure that any is hit.
+    /// Visits the spheres that the line of a ray crosses ahead of the origin, up to `t_max`,
+    /// roughly in order. Skips spheres that the query does not need. `visit` returns the new
+    /// `t_max`, or 0 to stop. Returns true if the traversal stopped early.
     #[inline(never)]
-    fn walk(
+    fn traverse(
         &self,
         ray: &Ray,
-        start: NodePath,
-        reach: i64,
-        goal: Goal,
+        origin: NodePath,
+        t_max: i64,
+        query: Query,
         observer: &mut impl Observer,
         visit: &mut dyn FnMut(&Node) -> i64,
     ) -> bool {
-        let Some(node) = Node::largest(self, ray, reach) else {
+        let Some(root) = Node::root(self, ray, t_max) else {
             return false;
         };
-        let (mut nodes, mut waiting) = (Nodes::new(), Waiting::new());
-        let _ = nodes.push(node);
-        let mut walk = Walk {
+        let (mut nodes, mut pending) = (NodeStack::new(), PendingChildren::new());
+        let _ = nodes.push(root);
+        let mut traversal = Traversal {
             flake: self,
             nodes: &mut nodes,
-            waiting: &mut waiting,
-            goal,
-            start,
-            reach: high(reach),
+            pending: &mut pending,
+            query,
+            origin,
+            t_max: high(t_max),
         };
-        while let Some(node) = walk.nodes.last() {
-            if goal == Goal::Start {
-                visit(&self.part(node, start));
+        while let Some(node) = traversal.nodes.last() {
+            if query == Query::Origin {
+                visit(&self.node_at(node, origin));
                 return true;
             }
-            let squared = node.squared();
-            let is_crossed = squared < 1 << 58;
+            let foot_squared = node.foot_squared();
+            let is_crossed = foot_squared < 1 << 58;
             observer.test(ShapeKind::Sphereflake, is_crossed);
             if is_crossed {
-                let reach = visit(node);
-                if reach <= 0 {
+                let t_max = visit(node);
+                if t_max <= 0 {
                     return true;
                 }
-                walk.reach = walk.reach.min(high(reach));
+                traversal.t_max = traversal.t_max.min(high(t_max));
             }
-            if walk.descend(squared) {
+            if traversal.descend(foot_squared) {
                 return true;
             }
-            if walk.next().is_none() {
+            if traversal.advance().is_none() {
                 break;
             }
         }
@@ -228,5 +224,105 @@ impl Sphereflake {
     }
 }
 
-/// Of no sphere: children are 1 to 12.
-const NO_PATH: NodePath = NodePath::MAX;
+impl Primitive for Sphereflake {
+    /// Decoding leaves a flake with invalid parameters without a radius.
+    fn is_valid(&self) -> bool {
+        self.radius > 0
+    }
+
+    fn flags(&self) -> SurfaceFlags {
+        SurfaceFlags::BOUNDED
+    }
+
+    fn bounding_sphere(&self) -> Option<BoundingSphere> {
+        Some(BoundingSphere {
+            center: self.center,
+            radius: self.reach(),
+        })
+    }
+
+    #[inline(never)]
+    fn intersect(
+        &self,
+        ray: &Ray,
+        is_origin: bool,
+        limit: Length,
+        part: &mut PrimitivePart,
+        observer: &mut impl Observer,
+    ) -> Option<Length> {
+        let hit = self.nearest(ray, is_origin.then_some(ray.leaves), limit, observer)?;
+        let distance = hit.distance();
+        if distance < limit {
+            *part = PrimitivePart {
+                id: hit.path,
+                normal: self.normal_of(&hit),
+            };
+        }
+        Some(distance)
+    }
+
+    fn normal(&self, _: Point, part: &PrimitivePart, _: bool) -> Option<Vec3<Unit>> {
+        Some(part.normal)
+    }
+
+    #[inline(always)]
+    fn count_crossings(
+        &self,
+        segment: &ShadowSegment<'_>,
+        is_origin: bool,
+        any: bool,
+        observer: &mut impl Observer,
+    ) -> Option<u8> {
+        let crosses = || {
+            let origin = is_origin.then_some(segment.ray.leaves);
+            let (ray, t_max) = (segment.to_ray(), segment.near_length());
+            self.crossings(&ray, origin, t_max, Query::Any, observer, &mut |_| false)
+        };
+        any.then(crosses).map(u8::from)
+    }
+
+    fn visit_crossings(
+        &self,
+        segment: &ShadowSegment<'_>,
+        is_origin: bool,
+        observer: &mut impl Observer,
+        visit: &mut dyn FnMut(Point) -> bool,
+    ) {
+        let origin = is_origin.then_some(segment.ray.leaves);
+        let (ray, t_max) = (segment.to_ray(), segment.near_length());
+        let mut visit = |distance| visit(ray.at(distance));
+        self.crossings(&ray, origin, t_max, Query::All, observer, &mut visit);
+    }
+}
+
+impl Fields for Sphereflake {
+    fn visit(&mut self, archive: &mut impl Archive) {
+        let SphereflakeParams {
+            mut center,
+            mut frame,
+            mut radius,
+            mut ratio,
+            mut depth,
+        } = self.params();
+        archive::vector(&mut center, archive);
+        frame
+            .iter_mut()
+            .for_each(|row| archive::vector(row, archive));
+        archive::fixed(&mut radius, archive);
+        archive::fixed(&mut ratio, archive);
+        depth.visit(archive);
+        let params = SphereflakeParams {
+            center,
+            frame,
+            radius,
+            ratio,
+            depth,
+        };
+        // The derived constants are only defined for valid parameters.
+        *self = if params.is_valid() {
+            Self::new(params)
+        } else {
+            Self::default()
+        };
+    }
+}

@@ -1,10 +1,11 @@
-//! Which material covers a point of a surface.
+//! The material at a point of an object.
 
-use crate::geometry::Point;
+use super::point::Point;
+use crate::archive::{Archive, Fields};
 use crate::math::{Length, Product, high};
 use crate::scene::Axis;
 
-/// What covers a prepared object: the numbers of materials.
+/// Materials of a prepared object, by index.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Texture {
     Uniform(u16),
@@ -14,23 +15,84 @@ pub(crate) enum Texture {
 /// A checkerboard over two axes.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Checker {
-    /// Cells per unit: `mantissa * 2^(exponent - 31)`, the top bit set.
+    /// Cells per unit of length: `mantissa * 2^(exponent - 31)`. The top bit is set.
     pub(crate) mantissa: u32,
     pub(crate) exponent: i8,
-    /// Where the origin lies in its pair of cells along each axis, in pairs:
-    /// `U0F32`, which wraps as the board repeats.
+    /// Position of the origin within its pair of cells along each axis, in pairs: `U0F32`.
+    /// It wraps around where the board repeats.
     pub(crate) phase: [u32; 2],
     pub(crate) axes: [Axis; 2],
     pub(crate) materials: [u16; 2],
 }
 
 impl Texture {
-    #[inline]
+    /// Returns true if every field is in the range that tracing relies on.
+    pub(crate) fn is_valid(&self, materials: u16) -> bool {
+        match self {
+            Self::Uniform(material) => *material < materials,
+            Self::Checker(checker) => {
+                let mut used = checker.materials.iter();
+                checker.mantissa >> 31 == 1 && used.all(|material| *material < materials)
+            }
+        }
+    }
+
+    /// Index of the material at a point.
+    #[inline(always)]
     pub(crate) fn material(&self, point: &Point) -> u16 {
         match self {
             Self::Uniform(material) => *material,
             Self::Checker(checker) => checker.material(point),
         }
+    }
+}
+
+impl Fields for Axis {
+    fn visit(&mut self, archive: &mut impl Archive) {
+        let mut index = *self as u8;
+        index.visit(archive);
+        *self = match index {
+            0 => Self::X,
+            1 => Self::Y,
+            _ => Self::Z,
+        };
+    }
+}
+
+impl Fields for Texture {
+    fn visit(&mut self, archive: &mut impl Archive) {
+        const UNIFORM: u8 = 0;
+        const CHECKER: u8 = 1;
+        let mut kind = match self {
+            Self::Uniform(_) => UNIFORM,
+            Self::Checker(_) => CHECKER,
+        };
+        kind.visit(archive);
+        *self = if kind == UNIFORM {
+            let mut material = match *self {
+                Self::Uniform(material) => material,
+                Self::Checker(_) => 0,
+            };
+            material.visit(archive);
+            Self::Uniform(material)
+        } else {
+            let mut checker = match *self {
+                Self::Checker(checker) => checker,
+                Self::Uniform(_) => Checker::default(),
+            };
+            checker.mantissa.visit(archive);
+            checker.exponent.visit(archive);
+            checker
+                .phase
+                .iter_mut()
+                .for_each(|phase| phase.visit(archive));
+            checker.axes.iter_mut().for_each(|axis| axis.visit(archive));
+            checker
+                .materials
+                .iter_mut()
+                .for_each(|material| material.visit(archive));
+            Self::Checker(checker)
+        };
     }
 }
 
@@ -41,10 +103,10 @@ impl Checker {
         self.materials[(parity >> 31) as usize]
     }
 
-    /// The place in a pair of cells: the top bit tells the odd cell.
+    /// Position within a pair of cells along an axis: the top bit is set in the odd cell.
     ///
-    /// All but the position in the pair wraps away, so a far point is as
-    /// right as a near one.
+    /// Whole pairs wrap around to zero, so points in the extended range are as exact as near
+    /// ones.
     #[inline(always)]
     fn position(&self, axis: usize, point: &Point) -> u32 {
         let p = point.coordinates;
@@ -53,8 +115,8 @@ impl Checker {
             Axis::Y => p.y,
             Axis::Z => p.z,
         };
-        // Q28 * Q31 -> Q59, in cells; a pair is twice as long: Q60; to Q32. The
-        // mantissa less 2 fits a signed word, for which chips have a multiply.
+        // Q28 * Q31 -> Q59, in cells. A pair is twice as long: Q60, then Q32. The mantissa
+        // less 2 fits a signed word, for which all cores have a multiply.
         let product = coordinate.to_bits().product(self.mantissa as i32);
         let (high, low) = (
             high(product).wrapping_add(coordinate.to_bits()),
@@ -67,12 +129,12 @@ impl Checker {
             return pairs.wrapping_add(self.phase[axis & 1]);
         }
         let product = i64::from(high) << 32 | i64::from(low);
-        far_position(product, shift).wrapping_add(self.phase[axis & 1])
+        extended_position(product, shift).wrapping_add(self.phase[axis & 1])
     }
 }
 
 #[cold]
-fn far_position(product: i64, shift: i32) -> u32 {
+fn extended_position(product: i64, shift: i32) -> u32 {
     if shift > 0 {
         (product >> shift.min(63)) as u32
     } else {

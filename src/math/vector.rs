@@ -198,7 +198,7 @@ impl Vec3<Unit> {
 
     /// The same, not inlined.
     #[inline(never)]
-    pub(crate) fn unit_of_few(self) -> Self {
+    pub(crate) fn unit_outlined(self) -> Self {
         let inverse = rare::inverse_length(self.squared().to_bits() as u64);
         normalize(self.map(Unit::to_bits), inverse)
     }
@@ -232,6 +232,12 @@ pub(crate) fn scaled<const SHIFT: u32>(v: Vec3<i32>, by: i32) -> Vec3<i32> {
 #[inline(always)]
 pub(crate) fn high(bits: i64) -> i32 {
     (bits >> 32) as i32
+}
+
+/// Upper word of a product.
+#[inline(always)]
+pub(crate) fn upper_word(a: i32, b: i32) -> i32 {
+    high(a.product(b))
 }
 
 /// Rounds away the low `SHIFT` bits.

@@ -1,22 +1,19 @@
-//! A scene made ready for tracing: checked, scaled, in the formats of
-//! [`crate::num`].
-//!
-//! Space is moved and scaled by a power of two so that the finite geometry,
-//! with eye and lights, fits ±1; light is scaled by a power of two so that
-//! lights fit 0 to 1.
+use heapless::VecView;
 
-use crate::geometry::Normalization;
-use crate::geometry::{CullSphere, LightCone, Plane, Point, Shape, SurfaceFlags, Texture};
-use crate::math::{Color, Factor, Length, Radiance, Real, Unit, Vec3, Weight, power};
-use crate::scene;
-use crate::scene::{CapacityError, SceneCounts};
+use super::culling;
+use super::light::Light;
+use super::material::Material;
+use super::object::Object;
+use super::settings::Settings;
+use super::{camera, validate};
+use crate::geometry::{CullSphere, LightCone, Point};
+use crate::math::{Color, Factor, Real};
+use crate::scene::{self, CapacityError, SceneCounts, SceneError};
 
-/// The most secondary generations of rays.
-pub(crate) const MAX_DEPTH: u8 = 32;
-
-/// Where a prepared scene is put together.
+/// Receives the items of a scene while it is prepared or decoded.
 ///
-/// Preparing and decoding are compiled once, not once per capacity.
+/// Preparing and decoding take a `SceneSink`, so they are compiled once and not once per
+/// capacity of a buffer.
 pub(crate) trait SceneSink {
     fn clear(&mut self);
     fn push_object(&mut self, object: Object) -> Result<(), CapacityError>;
@@ -24,227 +21,78 @@ pub(crate) trait SceneSink {
     fn push_material(&mut self, material: Material) -> Result<(), CapacityError>;
 }
 
-/// A scene ready to be rendered, in the memory of a [`SceneBuffer`](crate::SceneBuffer).
+/// The items of a scene, and memory for the data that culling derives from them.
+pub(crate) struct SceneLists<'b> {
+    pub(crate) objects: &'b mut [Object],
+    pub(crate) lights: &'b mut [Light],
+    pub(crate) materials: &'b [Material],
+    /// One entry per bounded object.
+    pub(crate) bounded: &'b mut VecView<CullSphere>,
+    /// One entry per group of bounded objects.
+    pub(crate) groups: &'b mut VecView<CullSphere>,
+    /// One entry per unbounded object.
+    pub(crate) unbounded: &'b mut VecView<u16>,
+    /// One entry per light and bounded object.
+    pub(crate) light_cones: &'b mut [LightCone],
+}
+
+/// A scene that is ready to be rendered, in the memory of a
+/// [`SceneBuffer`](crate::SceneBuffer).
 #[derive(Clone, Copy, Debug)]
 pub struct PreparedScene<'b> {
     pub(crate) settings: Settings,
     pub(crate) objects: &'b [Object],
     pub(crate) lights: &'b [Light],
     pub(crate) materials: &'b [Material],
-    /// The bounds of the finite objects.
-    pub(crate) finite: &'b [CullSphere],
-    /// Those of groups of them: of neighbors, if there are many.
+    /// Bounding spheres of the bounded objects.
+    pub(crate) bounded: &'b [CullSphere],
+    /// Bounding spheres of groups of neighboring bounded objects.
     pub(crate) groups: &'b [CullSphere],
-    /// The numbers of the endless objects.
-    pub(crate) endless: &'b [u16],
-    pub(crate) sights: LightCones<'b>,
-}
-
-/// How the lights see the bounds of the finite objects, in their order.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct LightCones<'b> {
-    /// Light after light.
-    pub(crate) all: &'b [LightCone],
-    /// How many each light has: one for each finite object.
-    pub(crate) count: usize,
-}
-
-impl<'b> LightCones<'b> {
-    /// Those of a light.
-    #[inline(always)]
-    pub(crate) fn by_light(&self, index: usize) -> Option<&'b [LightCone]> {
-        let first = index * self.count;
-        self.all.get(first..first + self.count)
-    }
-}
-
-/// All of a prepared scene that is not a list.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Settings {
-    pub(crate) camera: Camera,
-    /// The camera as it was authored, of which orbits need the whole.
-    pub(crate) authored: scene::Camera,
-    pub(crate) frame: Normalization,
-    pub(crate) horizon: Color<Radiance>,
-    pub(crate) zenith: Color<Radiance>,
-    /// Whether these differ: derived.
-    pub(crate) is_gradient: bool,
-    /// Radiances are to be multiplied by 2^exposure to become those of the scene.
-    pub(crate) exposure: u8,
-    pub(crate) max_depth: u8,
-    pub(crate) min_weight: Factor,
-    /// Whether no material lets light through: derived.
-    pub(crate) is_opaque: bool,
-}
-
-impl Settings {
-    /// Before they are read.
-    pub(crate) fn blank() -> Self {
-        let nowhere = Vec3::new(Real::ZERO, Real::ZERO, Real::ZERO);
-        Self {
-            camera: Camera::default(),
-            authored: scene::Camera::new(nowhere, nowhere, Real::ZERO),
-            frame: Normalization::default(),
-            horizon: Color::<Radiance>::BLACK,
-            zenith: Color::<Radiance>::BLACK,
-            is_gradient: false,
-            exposure: 0,
-            max_depth: 0,
-            min_weight: Factor::ZERO,
-            is_opaque: false,
-        }
-    }
-}
-
-/// A camera with an orthonormal base.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Camera {
-    pub(crate) eye: Vec3<Length>,
-    pub(crate) forward: Vec3<Unit>,
-    pub(crate) right: Vec3<Unit>,
-    pub(crate) up: Vec3<Unit>,
-    /// tan(fovy / 2) as `U4F28`: below 11.5.
-    pub(crate) tangent: u32,
-}
-
-/// A shape and what covers it.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Object {
-    pub(crate) shape: Shape,
-    pub(crate) texture: Texture,
-    /// That of the shape: derived.
-    pub(crate) nature: SurfaceFlags,
-}
-
-impl Object {
-    /// Nothing that a ray could meet, or before it is read.
-    pub(crate) const NONE: Self = Self {
-        shape: Shape::Plane(Plane::NONE),
-        texture: Texture::Uniform(0),
-        nature: SurfaceFlags::NONE,
-    };
-
-    /// A shape that is covered so.
-    pub(crate) fn new(shape: Shape, texture: Texture) -> Self {
-        let nature = shape.nature();
-        Self {
-            shape,
-            texture,
-            nature,
-        }
-    }
-}
-
-/// A point light.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Light {
-    pub(crate) position: Vec3<Length>,
-    pub(crate) diffuse: Color<Factor>,
-    pub(crate) specular: Color<Factor>,
-    /// Whether something endless may be between it and something finite.
-    pub(crate) is_walled: bool,
-    /// The mark of objects whose side that faces it nothing hides; no mark from the ninth
-    /// light on.
-    pub(crate) in_view: SurfaceFlags,
-}
-
-impl Light {
-    /// What is left of it behind a filter.
-    #[inline(never)]
-    pub(crate) fn filtered(&self, filter: Color<Factor>) -> Self {
-        Self {
-            diffuse: self.diffuse.filtered(filter),
-            specular: self.specular.filtered(filter),
-            ..*self
-        }
-    }
-}
-
-/// What a surface does to light.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Material {
-    /// `le + ka * ia`, which takes no light.
-    pub(crate) glow: Color<Radiance>,
-    pub(crate) kd: Color<Factor>,
-    pub(crate) ks: Color<Factor>,
-    pub(crate) kr: Color<Weight>,
-    pub(crate) kt: Color<Weight>,
-    /// `U16F16`, 1 to 4096.
-    pub(crate) shininess: u32,
-    /// Whether it mirrors light or lets it through: derived.
-    pub(crate) branches: bool,
-    /// The least cosine of which a highlight can be seen, `U1F31`; more than 1 if none
-    /// can: derived.
-    pub(crate) dimmest: u32,
-    /// Index of refraction, 1 to 4, and its reciprocal.
-    pub(crate) ior: Length,
-    pub(crate) inverse_ior: Length,
-    pub(crate) blinn: bool,
-}
-
-impl Material {
-    /// Black.
-    const NONE: Self = Self {
-        glow: Color::<Radiance>::BLACK,
-        kd: Color::<Factor>::BLACK,
-        ks: Color::<Factor>::BLACK,
-        kr: Color::<Weight>::BLACK,
-        kt: Color::<Weight>::BLACK,
-        shininess: 0,
-        branches: false,
-        dimmest: 0,
-        ior: Length::ONE,
-        inverse_ior: Length::ONE,
-        blinn: false,
-    };
-
-    #[inline(always)]
-    pub(crate) fn none() -> &'static Self {
-        static NONE: Material = Material::NONE;
-        &NONE
-    }
-
-    /// The material with what follows from its coefficients.
-    pub(crate) fn complete(self) -> Self {
-        Self {
-            branches: !self.kr.is_black() || !self.kt.is_black(),
-            dimmest: if self.ks.is_black() {
-                u32::MAX
-            } else {
-                dimmest(self.shininess)
-            },
-            ..self
-        }
-    }
-}
-
-/// The least base, `U1F31`, of which a power with an exponent from 1, `U16F16`,
-/// is at least half a step of a [`Factor`]; or one below it.
-fn dimmest(exponent: u32) -> u32 {
-    // The fraction of the exponent would only raise it.
-    let is_dim = |base| power(base, exponent >> 16 << 16) < 1 << 15;
-    let (mut dim, mut bright) = (0, 1 << 31);
-    while bright - dim > 1 {
-        let middle = (dim + bright) / 2;
-        if is_dim(middle) {
-            dim = middle;
-        } else {
-            bright = middle;
-        }
-    }
-    bright
+    /// Indices of the unbounded objects.
+    pub(crate) unbounded: &'b [u16],
+    /// Light after light, the cones of the bounded objects.
+    light_cones: &'b [LightCone],
 }
 
 impl<'b> PreparedScene<'b> {
-    /// Secondary generations of rays.
+    /// Computes the culling data of a scene whose items are complete.
+    pub(crate) fn new(lists: SceneLists<'b>, settings: Settings) -> Self {
+        let SceneLists {
+            objects,
+            lights,
+            materials,
+            bounded,
+            groups,
+            unbounded,
+            light_cones,
+        } = lists;
+        culling::list_objects(objects, bounded, groups, unbounded);
+        culling::mark_isolated(objects, materials);
+        culling::build_light_cones(lights, objects, unbounded, light_cones);
+        culling::mark_unoccluded(lights, objects);
+        Self {
+            settings: Settings {
+                is_opaque: materials.iter().all(|material| material.kt.is_black()),
+                ..settings
+            },
+            objects,
+            lights,
+            materials,
+            bounded,
+            groups,
+            unbounded,
+            light_cones,
+        }
+    }
+
+    /// Maximum number of secondary generations of rays.
     pub fn max_depth(&self) -> u8 {
         self.settings.max_depth
     }
 
-    /// The camera, in world units, to be moved by
-    /// [`set_camera`](Self::set_camera).
+    /// The camera, in world units.
     pub fn camera(&self) -> scene::Camera {
-        self.settings.authored
+        self.settings.authored_camera
     }
 
     /// Numbers of objects, lights and materials.
@@ -255,27 +103,90 @@ impl<'b> PreparedScene<'b> {
             .materials(self.materials.len())
     }
 
-    /// The material of a number that an object has.
+    /// Moves the camera and keeps everything else: a fraction of the work of preparing, also
+    /// for a decoded scene.
     ///
-    /// Preparing and decoding see to it that there is one.
+    /// Preparing the scene with this camera draws the same picture, bit for bit, if it finds
+    /// the same scale; otherwise positions are rounded differently, by 2^-28 of the size of
+    /// the scene. The eye may go 3.5 times as far from the center of the scene, in each
+    /// coordinate, as any bounded object, the first eye and the lights, so there is room to
+    /// orbit.
+    ///
+    /// ```
+    /// use whitted::{Camera, Material, MaterialId, Object, Real, Scene, SceneBuffer, Vec3};
+    ///
+    /// let camera = Camera::new(Vec3::lit("0", "2", "8"), Vec3::lit("0", "1", "0"), Real::lit("33"));
+    /// let scene = Scene {
+    ///     materials: &[Material::BLACK],
+    ///     objects: &[Object::sphere(Vec3::lit("0", "1", "0"), Real::ONE, MaterialId(0))],
+    ///     ..Scene::new(camera)
+    /// };
+    /// let mut buffer = SceneBuffer::<8, 2, 8>::new();
+    /// let mut scene = buffer.prepare(&scene)?;
+    /// for _ in 0..36 {
+    ///     scene.set_camera(&scene.camera().orbited(Real::lit("10"), Real::ZERO))?;
+    ///     // Renderer::new(&scene, display.size()).draw(&mut display)
+    /// }
+    /// # Ok::<(), whitted::SceneError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// The errors of [`SceneBuffer::prepare`](crate::SceneBuffer::prepare) about a camera, and
+    /// [`SceneProblem::OutOfReach`](crate::scene::SceneProblem::OutOfReach) if the eye is too
+    /// far away. The camera then keeps its place.
+    pub fn set_camera(&mut self, camera: &scene::Camera) -> Result<(), SceneError> {
+        self.settings.camera = camera::moved_camera(camera, &self.settings.normalization)?;
+        self.settings.authored_camera = *camera;
+        Ok(())
+    }
+
+    /// Sets the maximum number of secondary generations of rays.
+    ///
+    /// # Errors
+    /// `max_depth` is above 32.
+    pub fn set_max_depth(&mut self, max_depth: u8) -> Result<(), SceneError> {
+        self.settings.max_depth = validate::max_depth(max_depth)?;
+        Ok(())
+    }
+
+    /// Sets the weight below which a branch of the ray tree ends.
+    ///
+    /// # Errors
+    /// `min_weight` is outside of 0 to 1.
+    pub fn set_min_weight(&mut self, min_weight: Real) -> Result<(), SceneError> {
+        self.settings.min_weight = validate::min_weight(min_weight)?;
+        Ok(())
+    }
+
+    /// Material at an index. Preparing and decoding ensure that every index of an object is
+    /// valid.
     #[inline(always)]
     pub(crate) fn material(&self, index: u16) -> &'b Material {
-        self.materials
-            .get(usize::from(index))
-            .unwrap_or(Material::none())
+        static BLACK: Material = Material::BLACK;
+        self.materials.get(usize::from(index)).unwrap_or(&BLACK)
     }
 
-    /// The object of a number that a hit has.
+    /// Object at the index of a hit.
     #[inline(always)]
-    pub(crate) fn object(&self, number: u16) -> &'b Object {
+    pub(crate) fn object(&self, index: u16) -> &'b Object {
         static NONE: Object = Object::NONE;
-        self.objects.get(usize::from(number)).unwrap_or(&NONE)
+        self.objects.get(usize::from(index)).unwrap_or(&NONE)
     }
 
-    /// What an object lets through at a point of its surface.
+    /// Cones of the bounded objects as seen from a light.
+    #[inline(always)]
+    pub(crate) fn light_cones(&self, light: usize) -> &'b [LightCone] {
+        let count = self.bounded.len();
+        let first = light * count;
+        self.light_cones
+            .get(first..first + count)
+            .unwrap_or_default()
+    }
+
+    /// Transmittance of an object at a point of its surface.
     #[inline(never)]
-    pub(crate) fn transmitted(&self, object: &Object, point: Point) -> Color<Factor> {
-        self.material(object.texture.material(&point)).kt.narrowed()
+    pub(crate) fn transmittance(&self, object: &Object, point: &Point) -> Color<Factor> {
+        self.material(object.texture.material(point)).kt.narrowed()
     }
 }
 
@@ -283,9 +194,9 @@ impl<'b> PreparedScene<'b> {
 mod tests {
     use super::*;
 
-    /// What the documentation of [`SceneBuffer`] says.
+    /// Checks the figures in the documentation of [`SceneBuffer`](crate::SceneBuffer).
     #[test]
-    fn items_take_as_many_bytes_as_documented() {
+    fn items_take_the_documented_memory() {
         assert_eq!(size_of::<Object>(), 112);
         assert_eq!(size_of::<CullSphere>(), 16);
         assert_eq!(size_of::<LightCone>(), 12);

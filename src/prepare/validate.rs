@@ -1,18 +1,14 @@
-//! What may be in a scene.
+//! Checks of an authored scene that do not depend on its scale.
 
-mod shape;
-
+use super::settings::MAX_DEPTH;
+use crate::geometry::{self, limits};
 use crate::math::{Color, Factor, Real, factor};
-use crate::prepare::MAX_DEPTH;
 use crate::scene::{
     Background, Camera, Light, Material, MaterialId, Object, Scene, SceneError, SceneItem,
     SceneProblem, Texture,
 };
 
-use crate::geometry::limits::{FARTHEST, SMALLEST, fail, point, range};
-use shape::shape;
-
-/// The brightest light, emission, ambient light or background.
+/// Largest channel of a light, emission, ambient light or background.
 const BRIGHTEST: Real = Real::lit("256");
 
 fn color(
@@ -23,10 +19,10 @@ fn color(
 ) -> Result<(), SceneError> {
     [color.r, color.g, color.b]
         .into_iter()
-        .try_for_each(|c| range(item, field, c, [Real::ZERO, most]))
+        .try_for_each(|c| limits::range(item, field, c, [Real::ZERO, most]))
 }
 
-/// Checks all that does not depend on the scene's scale.
+/// Checks everything that does not depend on the scale of the scene.
 pub(super) fn scene(scene: &Scene<'_>) -> Result<(), SceneError> {
     max_depth(scene.max_depth)?;
     min_weight(scene.min_weight)?;
@@ -54,17 +50,17 @@ pub(super) fn scene(scene: &Scene<'_>) -> Result<(), SceneError> {
     Ok(())
 }
 
-/// Items are numbered by 16 bits.
+/// Checks the length of a list: indices have 16 bits.
 fn countable(list: &'static str, length: usize) -> Result<(), SceneError> {
     let capacity = u16::MAX;
     if length > usize::from(capacity) {
-        return fail(SceneItem::Scene, list, SceneProblem::TooMany { capacity });
+        return limits::error(SceneItem::Scene, list, SceneProblem::TooMany { capacity });
     }
     Ok(())
 }
 
 pub(crate) fn max_depth(max_depth: u8) -> Result<u8, SceneError> {
-    range(
+    limits::range(
         SceneItem::Scene,
         "max_depth",
         max_depth.into(),
@@ -74,7 +70,7 @@ pub(crate) fn max_depth(max_depth: u8) -> Result<u8, SceneError> {
 }
 
 pub(crate) fn min_weight(min_weight: Real) -> Result<Factor, SceneError> {
-    range(
+    limits::range(
         SceneItem::Scene,
         "min_weight",
         min_weight,
@@ -85,10 +81,10 @@ pub(crate) fn min_weight(min_weight: Real) -> Result<Factor, SceneError> {
 
 pub(super) fn camera(camera: &Camera) -> Result<(), SceneError> {
     let item = SceneItem::Camera;
-    point(item, "eye", camera.eye)?;
-    point(item, "look_at", camera.look_at)?;
-    point(item, "up", camera.up)?;
-    range(
+    limits::point(item, "eye", camera.eye)?;
+    limits::point(item, "look_at", camera.look_at)?;
+    limits::point(item, "up", camera.up)?;
+    limits::range(
         item,
         "fovy_deg",
         camera.fovy_deg,
@@ -97,7 +93,7 @@ pub(super) fn camera(camera: &Camera) -> Result<(), SceneError> {
 }
 
 fn light(item: SceneItem, light: &Light) -> Result<(), SceneError> {
-    point(item, "position", light.position)?;
+    limits::point(item, "position", light.position)?;
     color(item, "diffuse", light.diffuse, BRIGHTEST)?;
     color(item, "specular", light.specular, BRIGHTEST)
 }
@@ -114,8 +110,11 @@ fn material(item: SceneItem, material: &Material) -> Result<(), SceneError> {
     }
     color(item, "le", material.le, BRIGHTEST)?;
     let black = Color::gray(Real::ZERO);
+    if material.kt != black && cfg!(not(feature = "glass")) {
+        return limits::error(item, "kt", SceneProblem::MissingFeature("glass"));
+    }
     if material.ks != black {
-        range(
+        limits::range(
             item,
             "shininess",
             material.shininess,
@@ -123,7 +122,7 @@ fn material(item: SceneItem, material: &Material) -> Result<(), SceneError> {
         )?;
     }
     if material.kt != black {
-        range(
+        limits::range(
             item,
             "ior",
             material.ior,
@@ -134,12 +133,12 @@ fn material(item: SceneItem, material: &Material) -> Result<(), SceneError> {
 }
 
 fn object(item: SceneItem, object: &Object, materials: usize) -> Result<(), SceneError> {
-    shape(item, &object.shape)?;
+    geometry::validate(&object.shape, item)?;
     let known = |field, MaterialId(index)| {
         if usize::from(index) < materials {
             Ok(())
         } else {
-            fail(item, field, SceneProblem::NoSuchMaterial(index))
+            limits::error(item, field, SceneProblem::NoSuchMaterial(index))
         }
     };
     match object.texture {
@@ -149,9 +148,9 @@ fn object(item: SceneItem, object: &Object, materials: usize) -> Result<(), Scen
             axes: [first, second],
             materials,
         } => {
-            range(item, "checker.size", size, [SMALLEST, FARTHEST])?;
+            limits::range(item, "checker.size", size, [limits::SMALLEST, limits::FARTHEST])?;
             if first == second {
-                return fail(item, "checker.axes", SceneProblem::SameAxis);
+                return limits::error(item, "checker.axes", SceneProblem::SameAxis);
             }
             materials
                 .into_iter()

@@ -5,8 +5,8 @@ use crate::observer::Observer;
 use crate::prepare::PreparedScene;
 use crate::render::camera_rays::{CameraRays, ColumnRange, ScanlineRays};
 use crate::render::scanline_culler::ScanlineCuller;
-use crate::trace::intersect::PrimitivePart;
-use crate::trace::trace;
+use crate::geometry::PrimitivePart;
+use crate::trace::Tracer;
 
 /// A scene, and what tracing the pixels of views of it takes.
 #[derive(Clone, Debug)]
@@ -34,16 +34,18 @@ impl<'s> ScanlineTracer<'s> {
         y: u32,
         columns: ColumnRange,
         observer: &'r mut O,
-    ) -> PixelIter<'r, O> {
+    ) -> PixelIter<'r, 's, O> {
         self.coverage.look(self.scene, view, y);
         PixelIter {
             directions: view.line(y).through(columns),
             x: columns.from,
             spacing: columns.spacing,
-            scene: self.scene,
             coverage: &mut self.coverage,
-            part: &mut self.part,
-            observer,
+            tracer: Tracer {
+                scene: self.scene,
+                part: &mut self.part,
+                observer,
+            },
         }
     }
 
@@ -68,17 +70,15 @@ impl<'s> ScanlineTracer<'s> {
 }
 
 /// Pixels of a line as they are traced.
-pub(crate) struct PixelIter<'r, O> {
+pub(crate) struct PixelIter<'r, 's, O> {
     directions: ScanlineRays,
     x: u32,
     spacing: u8,
-    scene: &'r PreparedScene<'r>,
     coverage: &'r mut ScanlineCuller,
-    part: &'r mut PrimitivePart,
-    pub(crate) observer: &'r mut O,
+    pub(crate) tracer: Tracer<'r, 's, O>,
 }
 
-impl<O> PixelIter<'_, O> {
+impl<O> PixelIter<'_, '_, O> {
     /// Passes over the pixels before column `x`.
     pub(crate) fn pass_to(&mut self, x: u32) {
         let count = x.saturating_sub(self.x) >> self.spacing;
@@ -87,7 +87,7 @@ impl<O> PixelIter<'_, O> {
     }
 }
 
-impl<O: Observer> Iterator for PixelIter<'_, O> {
+impl<O: Observer> Iterator for PixelIter<'_, '_, O> {
     type Item = (u32, Color<Radiance>);
 
     #[inline(always)]
@@ -96,7 +96,7 @@ impl<O: Observer> Iterator for PixelIter<'_, O> {
         let x = self.x;
         self.x += 1 << self.spacing;
         let candidates = self.coverage.at(x);
-        let color = trace(self.scene, direction, candidates, self.part, self.observer);
+        let color = self.tracer.trace_camera_ray(direction, candidates);
         Some((x, color))
     }
 

@@ -1,38 +1,40 @@
 use heapless::Vec;
 
-use crate::trace::intersect::Hit;
+use super::intersect::Hit;
 
-/// More objects than these in one line are not told apart.
-pub(crate) const MOST: usize = 64;
+/// Capacity for the objects that a scanline may show. A scanline with more objects is traced
+/// against all objects of the scene.
+pub(crate) const MAX_CANDIDATES: usize = 64;
 
-/// What a ray may meet.
+/// Objects that a camera ray may hit.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Candidates {
-    /// The numbers of the objects.
-    pub(crate) objects: Vec<u16, MOST>,
-    /// Whether these are all.
-    pub(crate) are_complete: bool,
-    /// Whether they are all planes.
-    pub(crate) are_flat: bool,
-    /// Whether that is a single plane that all rays approach alike.
-    pub(crate) are_level: bool,
-    /// Where a ray before this one met it: near, and as far away for this one, if the plane
-    /// reaches there.
-    pub(crate) met: Option<Hit>,
+    /// Indices of the objects.
+    pub(crate) objects: Vec<u16, MAX_CANDIDATES>,
+    /// True if the list is complete. Otherwise the ray may hit any object.
+    pub(crate) is_complete: bool,
+    /// True if all objects are planes.
+    pub(crate) are_planes: bool,
+    /// True if the only object is a plane at the same distance, in lengths of the ray's
+    /// unnormalized direction, for all rays of the scanline.
+    pub(crate) is_coplanar: bool,
+    /// Hit of an earlier ray on that plane. Its distance holds for this ray if the point is
+    /// inside the plane's clip box.
+    pub(crate) cached_hit: Option<Hit>,
 }
 
 impl Candidates {
-    /// The numbers of the objects; `None` if that may be any.
+    /// Indices of the objects; `None` if the ray may hit any object.
     #[inline(always)]
     pub(crate) fn objects(&self) -> Option<&[u16]> {
-        self.are_complete.then_some(&self.objects)
+        self.is_complete.then_some(&self.objects)
     }
 
-    /// Keeps a hit for the rays after this one, if it is as far away for them.
+    /// Caches a hit if its distance holds for the following rays.
     #[inline(always)]
-    pub(crate) fn keep(&mut self, hit: Hit) {
-        if self.are_level && hit.is_near {
-            self.met = Some(hit);
+    pub(super) fn cache(&mut self, hit: Hit) {
+        if self.is_coplanar && hit.is_near {
+            self.cached_hit = Some(hit);
         }
     }
 }

@@ -1,335 +1,227 @@
-//! The nearest surface that a ray meets.
+//! The nearest hit of a ray.
 //!
-//! Distances are found first; normal and material follow for the nearest hit
-//! alone. The common ray starts near and is answered by 32-bit distances. A
-//! far hit, on something endless beyond all else, takes the cold path.
+//! Distances come first; normal and material are computed for the nearest hit only. A ray from
+//! a near origin compares 32-bit distances. A hit in the extended range, on an unbounded
+//! object, takes the cold path.
 
-use crate::geometry::{
-    CullSphere, NodePath, OriginSurface, Point, Quadric, Ray, Shape, Sphereflake, SurfaceFlags,
-    are_near, coarse, narrow,
-};
-use crate::math::{Length, NEAR_LIMIT, SoftFloat, Unit, Vec3};
-use crate::observer::{Observer, ShapeKind};
-use crate::prepare::culling::{FEW, GROUP};
-use crate::prepare::{Object, PreparedScene};
+use super::tracer::Tracer;
+use crate::geometry::{CullSphere, OriginSurface, Point, Ray, SurfaceFlags, to_q12, to_q16};
+use crate::math::{Length, NEAR_LIMIT, SoftFloat};
+use crate::observer::Observer;
+use crate::prepare::{GROUP, Object, SMALL_SCENE};
 
-/// The nearest surface of a ray.
+/// The nearest hit of a ray.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Hit {
-    /// The object's number.
+    /// Index of the object.
     pub(crate) object: u16,
-    /// Whether both the ray's origin and the surface are near.
+    /// True if the ray's origin is near, and the hit may be near.
     pub(crate) is_near: bool,
-    /// How far the surface is from the origin if so; else, if it is finite, from where the ray
-    /// is [`Ray::approaching`].
-    distance: Length,
+    /// Distance from the origin if the hit is near. For a bounded object and an origin in the
+    /// extended range, the distance from the origin of [`Ray::moved_near`].
+    pub(super) distance: Length,
 }
 
 impl Hit {
-    /// Moves a ray on to the point of the surface.
-    #[inline(always)]
-    pub(crate) fn reach(self, object: &Object, ray: &mut Ray) {
-        if !self.is_near {
-            ray.origin = self.far_point(object, ray);
-            return;
-        }
-        let is_near = match &object.shape {
-            Shape::Sphere(_) => true,
-            Shape::Plane(plane) => plane.is_near(),
-            _ => false,
-        };
-        let coordinates = ray.near_at(self.distance);
-        if is_near || are_near(coordinates) {
-            ray.origin.coordinates = coordinates;
-        } else {
-            ray.origin = ray.far_at(SoftFloat::unordered(self.distance));
-        }
-    }
-
+    /// Hit point if the hit is not near.
     #[cold]
-    fn far_point(self, object: &Object, ray: &Ray) -> Point {
-        let is_start = self.object == ray.start.object;
-        if let Some(distance) = endless_distance(object, ray, is_start) {
-            return ray.far_at(distance);
+    pub(super) fn extended_point(self, object: &Object, ray: &Ray) -> Point {
+        let is_origin = self.object == ray.leaves.object;
+        if let Some(distance) = object.shape.intersect_extended(ray, is_origin) {
+            return ray.at_extended(distance);
         }
-        let near = ray.approaching().map_or(*ray, |(near, _)| near);
+        let near = ray.moved_near().map_or(*ray, |(near, _)| near);
         near.at(self.distance)
     }
 }
 
-/// The sphere of a sphereflake that is hit, and its normal at the point.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct PrimitivePart {
-    pub(crate) path: NodePath,
-    pub(crate) normal: Vec3<Unit>,
-}
-
-/// The first surface that a ray meets. What is met of a flake is written to `part`.
-#[inline(always)]
-pub(crate) fn nearest(
-    scene: &PreparedScene<'_>,
-    ray: &Ray,
-    part: &mut PrimitivePart,
-    observer: &mut impl Observer,
-) -> Option<Hit> {
-    if ray.start.inward
-        && ray.start.nature.is(SurfaceFlags::ALONE)
-        && let Shape::Sphere(sphere) = &scene.object(ray.start.object).shape
-    {
-        observer.test(ShapeKind::Sphere, true);
-        return Some(Hit {
-            object: ray.start.object,
-            is_near: true,
-            distance: sphere.across(ray.origin.coordinates, ray.direction),
-        });
-    }
-    if !ray.origin.is_near() || scene.finite.len() > FEW {
-        return nearest_of_many(scene, ray, part, observer);
-    }
-    let mut nearest = Nearest::new(scene, ray, part);
-    let left = ray.start.left;
-    nearest.meet_finite(scene.finite, left, observer);
-    for &object in scene.endless {
-        if object != left {
-            nearest.meet(object, observer);
-        }
-    }
-    nearest.hit(observer)
-}
-
-/// The same from anywhere, among any number of objects: by their groups.
-#[inline(never)]
-pub(crate) fn nearest_of_many(
-    scene: &PreparedScene<'_>,
-    ray: &Ray,
-    part: &mut PrimitivePart,
-    observer: &mut impl Observer,
-) -> Option<Hit> {
-    if !ray.origin.is_near() {
-        return nearest_from_far(scene, ray, part, observer);
-    }
-    let mut nearest = Nearest::new(scene, ray, part);
-    let (origin, direction) = (coarse(ray.origin.coordinates), narrow(ray.direction));
-    let left = ray.start.left;
-    for (group, members) in scene.groups.iter().zip(scene.finite.chunks(GROUP)) {
-        if group.may_meet(origin, direction) {
-            nearest.meet_group(members, left, observer);
-        }
-    }
-    for &object in scene.endless {
-        if object != left {
-            nearest.meet(object, observer);
-        }
-    }
-    nearest.hit(observer)
-}
-
-/// The same for an eye ray, which may meet some objects only.
-#[inline(always)]
-pub(crate) fn nearest_of(
-    objects: &[u16],
-    scene: &PreparedScene<'_>,
-    ray: &Ray,
-    part: &mut PrimitivePart,
-    observer: &mut impl Observer,
-) -> Option<Hit> {
-    let mut nearest = Nearest::new(scene, ray, part);
-    for &object in objects {
-        nearest.meet(object, observer);
-    }
-    nearest.hit(observer)
-}
-
-/// The nearest of the near hits.
-struct Nearest<'r> {
-    scene: &'r PreparedScene<'r>,
-    ray: &'r Ray,
-    part: &'r mut PrimitivePart,
+/// The nearest hit so far.
+struct Nearest {
     object: u16,
+    /// Distance of the hit.
     limit: Length,
-    /// Whether there is a hit that is not near.
-    is_far: bool,
+    /// True if an unbounded object may be hit beyond the near range.
+    is_extended: bool,
 }
 
-impl<'r> Nearest<'r> {
+impl Nearest {
+    const NONE: Self = Self {
+        object: OriginSurface::NONE.object,
+        limit: NEAR_LIMIT,
+        is_extended: false,
+    };
+}
+
+impl<O: Observer> Tracer<'_, '_, O> {
+    /// Intersects a secondary ray with the scene.
     #[inline(always)]
-    fn new(scene: &'r PreparedScene<'r>, ray: &'r Ray, part: &'r mut PrimitivePart) -> Self {
-        Self {
-            scene,
-            ray,
-            part,
-            object: OriginSurface::NOWHERE.object,
-            limit: NEAR_LIMIT,
-            is_far: false,
+    pub(super) fn intersect(&mut self, ray: &Ray) -> Option<Hit> {
+        let OriginSurface {
+            object,
+            skipped,
+            is_inside,
+            flags,
+            ..
+        } = ray.leaves;
+        if cfg!(feature = "glass") && is_inside && flags.intersects(SurfaceFlags::ISOLATED) {
+            // The exit of this sphere is the only possible hit.
+            let distance = self.distance(object, ray, NEAR_LIMIT)?;
+            return Some(Hit {
+                object,
+                is_near: true,
+                distance,
+            });
         }
+        let scene = self.scene;
+        if !ray.origin.is_near() || scene.bounded.len() > SMALL_SCENE {
+            return self.intersect_any(ray);
+        }
+        let mut nearest = Nearest::NONE;
+        self.test_bounded(&mut nearest, scene.bounded, ray);
+        for &object in scene.unbounded {
+            if object != skipped {
+                self.test(&mut nearest, object, ray);
+            }
+        }
+        self.finish(&nearest, ray)
     }
 
-    /// Looks at finite objects whose bounds the ray meets, but for the one
-    /// that it has left for good.
+    /// Intersects a ray from any origin with any number of objects, by groups.
+    #[inline(never)]
+    pub(super) fn intersect_any(&mut self, ray: &Ray) -> Option<Hit> {
+        if !ray.origin.is_near() {
+            return self.intersect_from_extended(ray);
+        }
+        let scene = self.scene;
+        let mut nearest = Nearest::NONE;
+        let (origin, direction) = (to_q12(ray.origin.coordinates), to_q16(ray.direction));
+        for (group, members) in scene.groups.iter().zip(scene.bounded.chunks(GROUP)) {
+            if group.may_hit(origin, direction) {
+                self.test_group(&mut nearest, members, ray);
+            }
+        }
+        for &object in scene.unbounded {
+            if object != ray.leaves.skipped {
+                self.test(&mut nearest, object, ray);
+            }
+        }
+        self.finish(&nearest, ray)
+    }
+
+    /// Intersects a camera ray with the objects that it may hit.
     #[inline(always)]
-    fn meet_finite(&mut self, objects: &[CullSphere], left: u16, observer: &mut impl Observer) {
-        let origin = coarse(self.ray.origin.coordinates);
-        let direction = narrow(self.ray.direction);
-        for around in objects {
-            if around.may_meet(origin, direction) && around.object != left {
-                self.meet(around.object, observer);
+    pub(super) fn intersect_candidates(&mut self, objects: &[u16], ray: &Ray) -> Option<Hit> {
+        let mut nearest = Nearest::NONE;
+        for &object in objects {
+            self.test(&mut nearest, object, ray);
+        }
+        self.finish(&nearest, ray)
+    }
+
+    /// Tests the bounded objects whose bounding spheres the ray may hit, except the object
+    /// that the ray cannot hit again.
+    #[inline(always)]
+    fn test_bounded(&mut self, nearest: &mut Nearest, spheres: &[CullSphere], ray: &Ray) {
+        let origin = to_q12(ray.origin.coordinates);
+        let direction = to_q16(ray.direction);
+        for sphere in spheres {
+            if sphere.may_hit(origin, direction) && sphere.object != ray.leaves.skipped {
+                self.test(nearest, sphere.object, ray);
             }
         }
     }
 
-    /// The same for those of many.
     #[inline(never)]
-    fn meet_group(&mut self, objects: &[CullSphere], left: u16, observer: &mut impl Observer) {
-        self.meet_finite(objects, left, observer);
+    fn test_group(&mut self, nearest: &mut Nearest, spheres: &[CullSphere], ray: &Ray) {
+        self.test_bounded(nearest, spheres, ray);
     }
 
-    /// Looks at an object.
     #[inline(always)]
-    fn meet(&mut self, number: u16, observer: &mut impl Observer) {
-        let Some(distance) = distance(
-            number, self.scene, self.ray, self.limit, self.part, observer,
-        ) else {
+    fn test(&mut self, nearest: &mut Nearest, object: u16, ray: &Ray) {
+        let Some(distance) = self.distance(object, ray, nearest.limit) else {
             return;
         };
-        if distance < self.limit {
-            self.limit = distance;
-            self.object = number;
+        if distance < nearest.limit {
+            nearest.limit = distance;
+            nearest.object = object;
         } else {
-            self.is_far |= distance == Length::MAX;
+            nearest.is_extended |= distance == Length::MAX;
         }
     }
 
+    /// Distance of an object: exact if below `limit`, [`Length::MAX`] if beyond the near
+    /// range.
+    ///
+    /// Out of line: in a loop of few iterations, hoisted code costs more than it saves.
+    #[inline(never)]
+    fn distance(&mut self, object: u16, ray: &Ray, limit: Length) -> Option<Length> {
+        let is_origin = object == ray.leaves.object;
+        let object = self.scene.objects.get(usize::from(object))?;
+        object
+            .shape
+            .intersect(ray, is_origin, limit, self.part, self.observer)
+    }
+
     #[inline(always)]
-    fn hit(&self, observer: &mut impl Observer) -> Option<Hit> {
-        if self.limit < NEAR_LIMIT {
+    fn finish(&mut self, nearest: &Nearest, ray: &Ray) -> Option<Hit> {
+        if nearest.limit < NEAR_LIMIT {
             return Some(Hit {
-                object: self.object,
+                object: nearest.object,
                 is_near: true,
-                distance: self.limit,
+                distance: nearest.limit,
             });
         }
-        if self.is_far {
-            return nearest_endless(self.scene, self.ray, observer).map(|(hit, _)| hit);
+        if nearest.is_extended {
+            return self.intersect_unbounded(ray).map(|(hit, _)| hit);
         }
         None
     }
-}
 
-/// How far an object is, exact if that is below `limit`; [`Length::MAX`] if it is not near.
-///
-/// Not inlined: in a loop of few turns, what would be prepared before it
-/// costs more than it saves.
-#[inline(never)]
-fn distance(
-    number: u16,
-    scene: &PreparedScene<'_>,
-    ray: &Ray,
-    limit: Length,
-    part: &mut PrimitivePart,
-    observer: &mut impl Observer,
-) -> Option<Length> {
-    let object = scene.objects.get(usize::from(number))?;
-    let is_start = number == ray.start.object;
-    let origin = ray.origin.coordinates;
-    let distance = match &object.shape {
-        Shape::Sphere(sphere) if is_start => Some(sphere.across(origin, ray.direction)),
-        Shape::Sphere(sphere) => sphere.distance(origin, ray.direction),
-        Shape::Plane(plane) => plane.distance(ray, limit),
-        Shape::Quadric(quadric) => quadric_distance(quadric, ray, is_start),
-        Shape::Sphereflake(flake) => flake_distance(flake, ray, is_start, limit, part, observer),
-    };
-    observer.test(object.shape.kind(), distance.is_some());
-    distance
-}
-
-#[inline(never)]
-fn quadric_distance(quadric: &Quadric, ray: &Ray, is_start: bool) -> Option<Length> {
-    quadric
-        .nearest(ray, is_start.then_some(ray.start.inward))
-        .map(|distance| distance.near().unwrap_or(Length::MAX))
-        .filter(|distance| is_start || *distance > Length::ZERO)
-}
-
-/// The distance, below `limit`; what was met is written to `part`.
-#[inline(never)]
-fn flake_distance(
-    flake: &Sphereflake,
-    ray: &Ray,
-    is_start: bool,
-    limit: Length,
-    part: &mut PrimitivePart,
-    observer: &mut impl Observer,
-) -> Option<Length> {
-    let meeting = flake.nearest(ray, is_start.then_some(ray.start), limit, observer)?;
-    let distance = meeting.distance();
-    if distance < limit {
-        *part = PrimitivePart {
-            path: meeting.path,
-            normal: flake.normal(&meeting),
+    /// Intersects a ray from any origin with the unbounded objects, at any distance.
+    #[cold]
+    #[inline(never)]
+    fn intersect_unbounded(&mut self, ray: &Ray) -> Option<(Hit, SoftFloat)> {
+        let scene = self.scene;
+        let hits = scene.unbounded.iter().filter_map(|&index| {
+            let object = scene.objects.get(usize::from(index))?;
+            let is_origin = index == ray.leaves.object;
+            let distance = object.shape.intersect_extended(ray, is_origin)?;
+            Some((index, distance))
+        });
+        let (object, distance) = hits.min_by_key(|(_, distance)| *distance)?;
+        let hit = Hit {
+            object,
+            is_near: false,
+            distance: Length::MAX,
         };
+        Some((hit, distance))
     }
-    Some(distance)
-}
 
-/// Among endless surfaces, at any distance, from any origin.
-#[cold]
-#[inline(never)]
-fn nearest_endless(
-    scene: &PreparedScene<'_>,
-    ray: &Ray,
-    observer: &mut impl Observer,
-) -> Option<(Hit, SoftFloat)> {
-    let met = scene.endless.iter().filter_map(|&number| {
-        let object = scene.objects.get(usize::from(number))?;
-        let is_start = number == ray.start.object;
-        let distance = endless_distance(object, ray, is_start);
-        observer.test(object.shape.kind(), distance.is_some());
-        Some((number, distance?))
-    });
-    let (object, distance) = met.min_by_key(|(_, distance)| *distance)?;
-    let hit = Hit {
-        object,
-        is_near: false,
-        distance: Length::MAX,
-    };
-    Some((hit, distance))
-}
-
-/// How far an endless surface is, at any distance.
-#[inline(never)]
-fn endless_distance(object: &Object, ray: &Ray, is_start: bool) -> Option<SoftFloat> {
-    match &object.shape {
-        Shape::Plane(plane) if !is_start => plane.far_distance(ray),
-        Shape::Quadric(quadric) if quadric.is_endless() => {
-            quadric.nearest(ray, is_start.then_some(ray.start.inward))
+    /// Intersects a ray whose origin is in the extended range, outside of all bounded
+    /// geometry.
+    ///
+    /// Bounded objects are tested with an origin moved to shortly before them, unbounded ones
+    /// with the true origin.
+    #[cold]
+    fn intersect_from_extended(&mut self, ray: &Ray) -> Option<Hit> {
+        let unbounded = self.intersect_unbounded(ray);
+        let bounded = self.intersect_bounded_from_extended(ray);
+        match (bounded, unbounded) {
+            (Some((hit, distance)), Some((_, unbounded))) if distance <= unbounded.to_bits() => {
+                Some(hit)
+            }
+            (_, Some((hit, _))) => Some(hit),
+            (bounded, None) => bounded.map(|(hit, _)| hit),
         }
-        _ => None,
     }
-}
 
-/// From a far origin, outside of all finite geometry.
-///
-/// The ray goes on as a near one from shortly before it may meet finite
-/// geometry; endless surfaces are looked for from its true origin.
-#[cold]
-fn nearest_from_far(
-    scene: &PreparedScene<'_>,
-    ray: &Ray,
-    part: &mut PrimitivePart,
-    observer: &mut impl Observer,
-) -> Option<Hit> {
-    let endless = nearest_endless(scene, ray, observer);
-    let finite = ray.approaching().and_then(|(ray, skipped)| {
-        let mut nearest = Nearest::new(scene, &ray, part);
-        nearest.meet_group(scene.finite, ray.start.left, observer);
+    fn intersect_bounded_from_extended(&mut self, ray: &Ray) -> Option<(Hit, i64)> {
+        let (ray, skipped) = ray.moved_near()?;
+        let mut nearest = Nearest::NONE;
+        self.test_group(&mut nearest, self.scene.bounded, &ray);
         let distance = i64::from(nearest.limit.to_bits()) + skipped;
-        let hit = nearest.hit(observer)?;
+        let hit = self.finish(&nearest, &ray)?;
         let is_near = false;
         Some((Hit { is_near, ..hit }, distance))
-    });
-    match (finite, endless) {
-        (Some((hit, distance)), Some((_, endless))) if distance <= endless.to_bits() => Some(hit),
-        (_, Some((hit, _))) => Some(hit),
-        (finite, None) => finite.map(|(hit, _)| hit),
     }
 }

@@ -1,57 +1,155 @@
-use crate::math::{Length, Product, Square, Unit, Vec3, quotient, round_length};
+use super::super::extent::Extent;
+use super::super::limits::{self, FARTHEST, SMALLEST};
+use super::super::normalization::Normalization;
+use super::super::primitive::AuthoredShape;
+use super::super::valid;
+use super::form::QuadricForm;
+use super::placed::{Placed, middle};
+use super::quadratic::{Quadratic, moment, scaled_by_axis};
+use super::ratio::unit_ratio;
+use crate::archive::{self, Archive, Fields};
+use crate::math::{Length, Product, Real, Square, Unit, Vec3, quotient, round_length};
+use crate::observer::ShapeKind;
+use crate::scene::{SceneError, SceneItem};
 
-use super::quadratic::{Quadratic, moment, squeezed};
+/// Height and radius differ by a factor of at most 2^10.
+const STEEPEST: u32 = 10;
 
-/// A cone around the y axis, squeezed to a slope of one: `x² + z² = v²` with
-/// `v = radius - axial * y`. All is halved, so that no vector is 8 long.
+/// A cone in world units.
+pub(in super::super) struct Authored {
+    pub(in super::super) origin: Vec3<Real>,
+    pub(in super::super) radius: Real,
+    pub(in super::super) height: Real,
+    pub(in super::super) y: Option<[Real; 2]>,
+}
+
+impl Authored {
+    /// Radius at a height, negative beyond the apex, in the bits of a [`Real`]; it must fit.
+    fn radius_at(&self, y: Real) -> i64 {
+        let product = i128::from(self.radius.to_bits()) * i128::from((self.height - y).to_bits());
+        product
+            .checked_div(self.height.to_bits().into())
+            .unwrap_or(0) as i64
+    }
+
+    /// The form whose coordinates count from the height `middle`.
+    fn form(&self, middle: Real, normalization: &Normalization) -> Cone {
+        let (radius, height) = (self.radius, self.height);
+        let half = Unit::ONE / 2;
+        if radius <= height.abs() {
+            Cone {
+                radial: half,
+                axial: unit_ratio(radius, height) / 2,
+                radius: normalization.half_size(self.radius_at(middle)),
+            }
+        } else {
+            let sign = height.to_bits().signum();
+            Cone {
+                radial: unit_ratio(height.abs(), radius) / 2,
+                axial: half * sign as i32,
+                radius: normalization.half_size((height - middle).to_bits() * sign),
+            }
+        }
+    }
+}
+
+impl AuthoredShape for Authored {
+    type Prepared = Placed<Cone>;
+
+    fn validate(&self, item: SceneItem) -> Result<(), SceneError> {
+        let Self {
+            origin,
+            radius,
+            height,
+            y,
+        } = *self;
+        limits::point(item, "origin", origin)?;
+        limits::size(item, "radius", radius)?;
+        let least = (radius >> STEEPEST).max(SMALLEST);
+        let most = radius.saturating_mul(Real::ONE << STEEPEST).min(FARTHEST);
+        let heights = if height < 0 {
+            [-most, -least]
+        } else {
+            [least, most]
+        };
+        limits::range(item, "height", height, heights)?;
+        let Some(y) = y else { return Ok(()) };
+        limits::interval(item, "y", y)?;
+        // The radius at either end must be a valid coordinate.
+        let steepness = height.abs().checked_div(radius).unwrap_or(Real::ZERO);
+        let reach = FARTHEST.saturating_mul(steepness).min(FARTHEST);
+        let within = [height - reach, height + reach];
+        y.into_iter()
+            .try_for_each(|y| limits::range(item, "y", y, within))
+    }
+
+    /// An unbounded cone counts from its base to its apex.
+    fn extend(&self, extent: &mut Extent) {
+        let y = self.y.unwrap_or([Real::ZERO, self.height]);
+        extent.add_rings(self.origin, y, y.map(|y| self.radius_at(y).abs()));
+    }
+
+    fn prepare(
+        &self,
+        normalization: &Normalization,
+        item: SceneItem,
+    ) -> Result<Placed<Cone>, SceneError> {
+        limits::resolvable_size(item, "radius", self.radius, normalization)?;
+        limits::resolvable_size(item, "height", self.height, normalization)?;
+        Ok(match self.y {
+            Some(y) => {
+                let form = self.form(middle(y), normalization);
+                Placed::clamped(self.origin, y, normalization, form)
+            }
+            None => Placed {
+                center: normalization.point(self.origin),
+                clamp: None,
+                form: self.form(Real::ZERO, normalization),
+            },
+        })
+    }
+}
+
+/// A cone around the y axis, scaled to a slope of one: `x² + z² = v²` with
+/// `v = radius - axial * y`. Everything is halved, so that no vector is 8 long.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Cone {
-    /// What x and z are squeezed by: 1/2, or less for a flat cone.
-    pub(crate) radial: Unit,
-    /// What y is squeezed by: 1/2, or less for a steep cone; below 0 where the
-    /// radius grows with y.
-    pub(crate) axial: Unit,
-    /// The squeezed radius at the center; below 0 beyond the apex.
-    pub(crate) radius: Length,
+    /// Scale of x and z: 1/2, or less for a flat cone.
+    radial: Unit,
+    /// Scale of y: 1/2, or less for a steep cone; negative where the radius grows with y.
+    axial: Unit,
+    /// Scaled radius at the center; negative beyond the apex.
+    radius: Length,
 }
 
 impl Cone {
-    /// Its largest radius so far from its center along y, if it is near.
-    pub(super) fn widest(&self, height: Length) -> Option<Length> {
-        let growth = round_length::<30>(height.product(self.axial.abs()).to_bits());
-        let squeezed = self.radius.abs() + growth;
-        quotient(
-            squeezed.to_bits().max(1) as u64,
-            self.radial.to_bits() as u64,
-        )
-        .near()
-    }
-
-    /// What x, y and z are squeezed by.
-    #[inline]
-    fn squeeze(&self) -> Vec3<Unit> {
+    fn axis_scale(&self) -> Vec3<Unit> {
         Vec3::new(self.radial, self.axial, self.radial)
     }
 
-    /// x, v and z, in steps of `2^shift`.
-    #[inline]
-    fn squeezed(&self, v: Vec3<Length>, shift: u8) -> Vec3<Length> {
-        let v = squeezed(v.map(Length::to_bits), self.squeeze()).map(Length::from_bits);
+    /// Returns x, v and z, in steps of `2^shift`.
+    fn scaled(&self, v: Vec3<Length>, shift: u8) -> Vec3<Length> {
+        let v = scaled_by_axis(v.map(Length::to_bits), self.axis_scale()).map(Length::from_bits);
         Vec3::new(v.x, (self.radius >> u32::from(shift)) - v.y, v.z)
     }
+}
 
-    /// From `offset` of the center, in steps of `2^shift`: a sphere's of radius
-    /// zero, but for the sign of v. The discriminant is the sum of the squares
-    /// of `o × d`, with the opposite sign for the part without v.
-    #[inline]
-    pub(super) fn quadratic(
-        &self,
-        offset: Vec3<Length>,
-        direction: Vec3<Unit>,
-        shift: u8,
-    ) -> Quadratic {
-        let o = self.squeezed(offset, shift);
-        let d = squeezed(direction.map(Unit::to_bits), self.squeeze()).map(Unit::from_bits);
+impl QuadricForm for Cone {
+    const KIND: ShapeKind = ShapeKind::Cone;
+    const TAG: u8 = 5;
+
+    fn max_radius(&self, height: Length) -> Option<Length> {
+        let growth = round_length::<30>(height.product(self.axial.abs()).to_bits());
+        let scaled = self.radius.abs() + growth;
+        quotient(scaled.to_bits().max(1) as u64, self.radial.to_bits() as u64).near()
+    }
+
+    /// The equation of a sphere of radius zero, except for the sign of v. The discriminant is
+    /// the sum of the squares of `o × d`, with the opposite sign for the part without v.
+    fn quadratic(&self, offset: Vec3<Length>, direction: Vec3<Unit>, shift: u8) -> Quadratic {
+        let o = self.scaled(offset, shift);
+        let d = scaled_by_axis(direction.map(Unit::to_bits), self.axis_scale());
+        let d = d.map(Unit::from_bits);
         let d = Vec3::new(d.x, -d.y, d.z);
         let cross = moment(o, d).map(|c| c.square());
         Quadratic {
@@ -62,10 +160,24 @@ impl Cone {
         }
     }
 
-    /// Along the normal that points away from the axis.
-    #[inline]
-    pub(super) fn gradient(&self, offset: Vec3<Length>, shift: u8) -> Vec3<i64> {
-        self.squeezed(offset, shift)
-            .zip(self.squeeze(), |c, k| c.product(k).to_bits())
+    fn gradient(&self, offset: Vec3<Length>, shift: u8) -> Vec3<i64> {
+        self.scaled(offset, shift)
+            .zip(self.axis_scale(), |c, k| c.product(k).to_bits())
+    }
+
+    fn is_valid(&self) -> bool {
+        let half = Unit::ONE / 2;
+        (Unit::DELTA..=half).contains(&self.radial)
+            && self.axial != 0
+            && valid::is_within(self.axial, half)
+            && valid::is_within(self.radius, Length::ONE)
+    }
+}
+
+impl Fields for Cone {
+    fn visit(&mut self, archive: &mut impl Archive) {
+        archive::fixed(&mut self.radial, archive);
+        archive::fixed(&mut self.axial, archive);
+        archive::fixed(&mut self.radius, archive);
     }
 }

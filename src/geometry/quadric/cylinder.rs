@@ -1,23 +1,89 @@
-use crate::math::{Length, Product, Square, Unit, Vec3, round_length, upper_product};
-
+use super::super::extent::Extent;
+use super::super::limits;
+use super::super::normalization::Normalization;
+use super::super::primitive::AuthoredShape;
+use super::super::valid;
+use super::form::QuadricForm;
+use super::placed::Placed;
 use super::quadratic::Quadratic;
+use crate::archive::{self, Archive, Fields};
+use crate::math::{Length, Product, Real, Square, Unit, Vec3, round_length, upper_product};
+use crate::observer::ShapeKind;
+use crate::scene::{SceneError, SceneItem};
+
+/// A cylinder in world units.
+pub(in super::super) struct Authored {
+    pub(in super::super) origin: Vec3<Real>,
+    pub(in super::super) radius: Real,
+    pub(in super::super) y: Option<[Real; 2]>,
+}
+
+impl AuthoredShape for Authored {
+    type Prepared = Placed<Cylinder>;
+
+    fn validate(&self, item: SceneItem) -> Result<(), SceneError> {
+        limits::point(item, "origin", self.origin)?;
+        limits::size(item, "radius", self.radius)?;
+        self.y
+            .map_or(Ok(()), |y| limits::interval(item, "y", y))
+    }
+
+    /// An unbounded cylinder counts as a circle at the lowest height so far.
+    fn extend(&self, extent: &mut Extent) {
+        let radii = [self.radius.to_bits(); 2];
+        match self.y {
+            Some(y) => extent.add_rings(self.origin, y, radii),
+            None => {
+                let origin = Vec3 {
+                    y: Real::from_bits(extent.low.y),
+                    ..self.origin
+                };
+                extent.add_rings(origin, [Real::ZERO; 2], radii);
+            }
+        }
+    }
+
+    fn prepare(
+        &self,
+        normalization: &Normalization,
+        item: SceneItem,
+    ) -> Result<Placed<Cylinder>, SceneError> {
+        limits::resolvable_size(item, "radius", self.radius, normalization)?;
+        let form = Cylinder {
+            radius: normalization.size(self.radius),
+        };
+        Ok(match self.y {
+            Some(y) => Placed::clamped(self.origin, y, normalization, form),
+            None => Placed {
+                // The height of the center does not matter.
+                center: Vec3 {
+                    y: Length::ZERO,
+                    ..normalization.point(self.origin)
+                },
+                clamp: None,
+                form,
+            },
+        })
+    }
+}
 
 /// A cylinder around the y axis.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Cylinder {
-    pub(crate) radius: Length,
+    radius: Length,
 }
 
-impl Cylinder {
-    /// From `offset` of the center, in steps of `2^shift`: a circle's, in the
-    /// plane of x and z. The discriminant is `r² |d|² - (o × d)²`.
-    #[inline]
-    pub(super) fn quadratic(
-        &self,
-        offset: Vec3<Length>,
-        direction: Vec3<Unit>,
-        shift: u8,
-    ) -> Quadratic {
+impl QuadricForm for Cylinder {
+    const KIND: ShapeKind = ShapeKind::Cylinder;
+    const TAG: u8 = 4;
+
+    fn max_radius(&self, _: Length) -> Option<Length> {
+        Some(self.radius)
+    }
+
+    /// The equation of a circle in the plane of x and z. The discriminant is
+    /// `r² |d|² - (o × d)²`.
+    fn quadratic(&self, offset: Vec3<Length>, direction: Vec3<Unit>, shift: u8) -> Quadratic {
         let (o, d) = (offset, direction);
         let a = (d.x.square() + d.z.square()).to_bits();
         let radius_squared = self.radius.square().to_bits() >> (2 * shift);
@@ -32,9 +98,17 @@ impl Cylinder {
         }
     }
 
-    /// Along the outward normal.
-    #[inline]
-    pub(super) fn gradient(&self, offset: Vec3<Length>) -> Vec3<i64> {
+    fn gradient(&self, offset: Vec3<Length>, _: u8) -> Vec3<i64> {
         Vec3::new(offset.x, Length::ZERO, offset.z).map(|c| c.to_bits().into())
+    }
+
+    fn is_valid(&self) -> bool {
+        valid::is_size(self.radius)
+    }
+}
+
+impl Fields for Cylinder {
+    fn visit(&mut self, archive: &mut impl Archive) {
+        archive::fixed(&mut self.radius, archive);
     }
 }

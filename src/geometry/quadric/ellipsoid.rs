@@ -1,37 +1,99 @@
-use crate::math::{Length, Product, Square, Unit, Vec3, quotient, upper_product};
+use super::super::extent::Extent;
+use super::super::limits;
+use super::super::normalization::Normalization;
+use super::super::primitive::AuthoredShape;
+use super::super::valid;
+use super::form::QuadricForm;
+use super::placed::Placed;
+use super::quadratic::{Quadratic, moment, scaled_by_axis};
+use super::ratio::unit_ratio;
+use crate::archive::{self, Archive, Fields};
+use crate::math::{Length, Product, Real, Square, Unit, Vec3, quotient, upper_product};
+use crate::observer::ShapeKind;
+use crate::scene::{SceneError, SceneItem};
 
-use super::quadratic::{Quadratic, moment, squeezed};
+/// The longest radius is at most 2^8 times the shortest.
+const FLATTEST: u32 = 8;
 
-/// An ellipsoid, as the sphere that it becomes when each axis is squeezed to
-/// the shortest.
+/// An ellipsoid in world units.
+pub(in super::super) struct Authored {
+    pub(in super::super) center: Vec3<Real>,
+    pub(in super::super) radii: Vec3<Real>,
+}
+
+impl Authored {
+    fn shortest(&self) -> Real {
+        self.radii.x.min(self.radii.y).min(self.radii.z)
+    }
+}
+
+impl AuthoredShape for Authored {
+    type Prepared = Placed<Ellipsoid>;
+
+    fn validate(&self, item: SceneItem) -> Result<(), SceneError> {
+        limits::point(item, "center", self.center)?;
+        let (shortest, longest) = (
+            self.shortest(),
+            self.radii.x.max(self.radii.y).max(self.radii.z),
+        );
+        limits::size(item, "radii", shortest)?;
+        limits::size(item, "radii", longest)?;
+        limits::range(item, "radii", shortest, [longest >> FLATTEST, longest])
+    }
+
+    fn extend(&self, extent: &mut Extent) {
+        extent.add_box(self.center, self.radii.map(Real::to_bits));
+    }
+
+    fn prepare(
+        &self,
+        normalization: &Normalization,
+        item: SceneItem,
+    ) -> Result<Placed<Ellipsoid>, SceneError> {
+        let shortest = self.shortest();
+        limits::resolvable_size(item, "radii", shortest, normalization)?;
+        Ok(Placed {
+            center: normalization.point(self.center),
+            clamp: None,
+            form: Ellipsoid {
+                axis_scale: self.radii.map(|radius| unit_ratio(shortest, radius)),
+                radius: normalization.size(shortest),
+            },
+        })
+    }
+}
+
+/// An ellipsoid, as the sphere that it becomes when each axis is scaled to the shortest one.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Ellipsoid {
-    /// The shortest radius in each radius: up to 1.
-    pub(crate) squeeze: Vec3<Unit>,
-    /// The shortest radius.
-    pub(crate) radius: Length,
+    /// Shortest radius divided by each radius: at most 1.
+    axis_scale: Vec3<Unit>,
+    /// Shortest radius.
+    radius: Length,
 }
 
 impl Ellipsoid {
-    /// The longest radius, if it is near.
-    pub(super) fn longest(&self) -> Option<Length> {
-        let Vec3 { x, y, z } = self.squeeze;
-        let squeeze = x.min(y).min(z).to_bits() as u64;
-        quotient(self.radius.to_bits() as u64, squeeze).near()
+    fn scaled(&self, v: Vec3<Length>) -> Vec3<Length> {
+        scaled_by_axis(v.map(Length::to_bits), self.axis_scale).map(Length::from_bits)
+    }
+}
+
+impl QuadricForm for Ellipsoid {
+    const KIND: ShapeKind = ShapeKind::Ellipsoid;
+    const TAG: u8 = 3;
+
+    /// Longest radius.
+    fn max_radius(&self, _: Length) -> Option<Length> {
+        let Vec3 { x, y, z } = self.axis_scale;
+        let smallest = x.min(y).min(z).to_bits() as u64;
+        quotient(self.radius.to_bits() as u64, smallest).near()
     }
 
-    #[inline]
-    fn squeezed(&self, v: Vec3<Length>) -> Vec3<Length> {
-        squeezed(v.map(Length::to_bits), self.squeeze).map(Length::from_bits)
-    }
-
-    /// From `offset` of the center. The discriminant is `r² |d|² - |o × d|²`
-    /// in squeezed space, which keeps the bits that `b² - a c` loses
-    /// (Lagrange's identity).
-    #[inline]
-    pub(super) fn quadratic(&self, offset: Vec3<Length>, direction: Vec3<Unit>) -> Quadratic {
-        let o = self.squeezed(offset);
-        let d = squeezed(direction.map(Unit::to_bits), self.squeeze).map(Unit::from_bits);
+    /// The discriminant is `r² |d|² - |o × d|²` in scaled space, which keeps the bits that
+    /// `b² - a c` loses (Lagrange's identity).
+    fn quadratic(&self, offset: Vec3<Length>, direction: Vec3<Unit>, _: u8) -> Quadratic {
+        let o = self.scaled(offset);
+        let d = scaled_by_axis(direction.map(Unit::to_bits), self.axis_scale).map(Unit::from_bits);
         let a = d.dot(d).to_bits();
         let radius_squared = self.radius.square().to_bits();
         let reach = upper_product(radius_squared as u64, a as u64, 4) as i64;
@@ -43,10 +105,20 @@ impl Ellipsoid {
         }
     }
 
-    /// Along the outward normal.
-    #[inline]
-    pub(super) fn gradient(&self, offset: Vec3<Length>) -> Vec3<i64> {
-        self.squeezed(offset)
-            .zip(self.squeeze, |c, k| c.product(k).to_bits())
+    fn gradient(&self, offset: Vec3<Length>, _: u8) -> Vec3<i64> {
+        self.scaled(offset)
+            .zip(self.axis_scale, |c, k| c.product(k).to_bits())
+    }
+
+    fn is_valid(&self) -> bool {
+        let scale = Unit::DELTA..=Unit::ONE;
+        self.axis_scale.all(|c| scale.contains(&c)) && valid::is_size(self.radius)
+    }
+}
+
+impl Fields for Ellipsoid {
+    fn visit(&mut self, archive: &mut impl Archive) {
+        archive::vector(&mut self.axis_scale, archive);
+        archive::fixed(&mut self.radius, archive);
     }
 }

@@ -1,54 +1,121 @@
 use fixed::types::I8F56;
 
-use crate::math::{Length, Product, Square, Unit, Vec3, square_root, upper_product};
-
+use super::super::extent::Extent;
+use super::super::limits::{self, FARTHEST};
+use super::super::normalization::Normalization;
+use super::super::primitive::AuthoredShape;
+use super::form::QuadricForm;
+use super::placed::{Placed, middle};
 use super::quadratic::{Quadratic, moment};
+use crate::archive::{self, Archive, Fields};
+use crate::math::{Length, Product, Real, Square, Unit, Vec3, square_root, upper_product};
+use crate::observer::ShapeKind;
+use crate::scene::{SceneError, SceneItem};
 
-/// A paraboloid around the y axis: `x² + z² = g y + r²`, with x and z squeezed
-/// by a power of two that keeps g within 1.
+/// A paraboloid in world units.
+pub(in super::super) struct Authored {
+    pub(in super::super) origin: Vec3<Real>,
+    pub(in super::super) y: [Real; 2],
+}
+
+impl Authored {
+    /// The clamp without the part below the vertex, where there is no surface. A margin keeps
+    /// the vertex itself.
+    fn ends(&self) -> [Real; 2] {
+        let [low, high] = self.y;
+        [low.max(-(high >> 10_u32)), high]
+    }
+}
+
+impl AuthoredShape for Authored {
+    type Prepared = Placed<Paraboloid>;
+
+    fn validate(&self, item: SceneItem) -> Result<(), SceneError> {
+        limits::point(item, "origin", self.origin)?;
+        limits::interval(item, "y", self.y)?;
+        limits::size(item, "y[1]", self.y[1])
+    }
+
+    fn extend(&self, extent: &mut Extent) {
+        let y = self.ends();
+        extent.add_rings(self.origin, y, y.map(|y| root(y.max(Real::ZERO))));
+    }
+
+    fn prepare(
+        &self,
+        normalization: &Normalization,
+        item: SceneItem,
+    ) -> Result<Placed<Paraboloid>, SceneError> {
+        // Both the height and the radius at the upper end must be resolvable.
+        let least = limits::least_size(normalization);
+        let least = least.max(least.saturating_mul(least));
+        limits::range(item, "y[1]", self.y[1], [least, FARTHEST])?;
+        let y = self.ends();
+        // x² + z² = y 2^exponent. After the scaling the exponent is at most 0.
+        let shift = (normalization.exponent.max(0) + 1) / 2;
+        let form = Paraboloid {
+            radius_squared: I8F56::from_bits(
+                normalization.area(middle(y).to_bits()) >> (2 * shift),
+            ),
+            shift: shift as u8,
+            g_log2: (2 * shift - normalization.exponent) as u8,
+        };
+        Ok(Placed::clamped(self.origin, y, normalization, form))
+    }
+}
+
+/// Square root of a positive number, rounded up: Q32 -> Q40 -> Q20 -> Q32.
+fn root(x: Real) -> i64 {
+    (i64::from(square_root((x.to_bits() as u64) << 8)) + 1) << 12
+}
+
+/// A paraboloid around the y axis: `x² + z² = g y + r²`, with x and z scaled by a power of two
+/// that keeps g within 1.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Paraboloid {
-    /// The squeezed radius at the center, squared.
-    pub(crate) radius_squared: I8F56,
-    /// What x and z are squeezed by: `2^-squeeze`.
-    pub(crate) squeeze: u8,
-    /// `g = 2^-focus`: 0 to 31.
-    pub(crate) focus: u8,
+    /// Square of the scaled radius at the center.
+    radius_squared: I8F56,
+    /// x and z are scaled by `2^-shift`.
+    shift: u8,
+    /// `g = 2^-g_log2`: 0 to 31.
+    g_log2: u8,
 }
 
 impl Paraboloid {
-    /// g as `U1F31`: 2^-31 at least.
-    #[inline]
+    /// g as `U1F31`: at least 2^-31.
     fn g(&self) -> u32 {
-        (1_u32 << 31).unbounded_shr(self.focus.into())
+        (1_u32 << 31).unbounded_shr(self.g_log2.into())
     }
+}
 
-    /// Its largest radius so far from its center along y, if it is near.
-    pub(super) fn widest(&self, height: Length) -> Option<Length> {
+impl QuadricForm for Paraboloid {
+    const KIND: ShapeKind = ShapeKind::Paraboloid;
+    const TAG: u8 = 6;
+
+    fn max_radius(&self, height: Length) -> Option<Length> {
         // Q28 -> Q56
-        let growth = (i64::from(height.to_bits()) << 28) >> self.focus;
-        let squeezed = square_root((self.radius_squared.to_bits() + growth) as u64);
-        let widest = i64::from(squeezed) << self.squeeze;
-        i32::try_from(widest).ok().map(Length::from_bits)
+        let growth = (i64::from(height.to_bits()) << 28) >> self.g_log2;
+        let scaled = square_root((self.radius_squared.to_bits() + growth) as u64);
+        let radius = i64::from(scaled) << self.shift;
+        i32::try_from(radius).ok().map(Length::from_bits)
     }
 
-    /// From `offset` of the center. With `w = o × d` the discriminant is
-    /// `r² |d|² + (g dy / 2)² + g (dx w_z - dz w_x) - w_y²`, |d| without dy.
-    #[inline]
-    pub(super) fn quadratic(&self, offset: Vec3<Length>, direction: Vec3<Unit>) -> Quadratic {
-        let (squeeze, focus, g) = (u32::from(self.squeeze), u32::from(self.focus), self.g());
-        let o = Vec3::new(offset.x >> squeeze, offset.y, offset.z >> squeeze);
-        let d = Vec3::new(direction.x >> squeeze, direction.y, direction.z >> squeeze);
+    /// With `w = o × d` the discriminant is
+    /// `r² |d|² + (g dy / 2)² + g (dx w_z - dz w_x) - w_y²`, where |d| is without dy.
+    fn quadratic(&self, offset: Vec3<Length>, direction: Vec3<Unit>, _: u8) -> Quadratic {
+        let (shift, g_log2, g) = (u32::from(self.shift), u32::from(self.g_log2), self.g());
+        let o = Vec3::new(offset.x >> shift, offset.y, offset.z >> shift);
+        let d = Vec3::new(direction.x >> shift, direction.y, direction.z >> shift);
         let a = (d.x.square() + d.z.square()).to_bits();
         let radius_squared = self.radius_squared.to_bits();
         let reach = upper_product(radius_squared as u64, a as u64, 4) as i64;
         let w = moment(o, d);
         // g d.y / 2: Q30 * Q31 -> Q61 -> Q58, and its square: Q60 -> Q56
         let rise = d.y.to_bits().product(g) >> 4;
-        let rise_squared = (d.y.square().to_bits() >> 6) >> (2 * focus).min(63);
-        // Q28 * Q30 -> Q58 -> Q56. The cross product's signs: w_z is
-        // o.x d.y - o.y d.x, the opposite of what the formula needs.
-        let lean = (w.x.product(d.z) - w.z.product(d.x)).to_bits() >> 2 >> focus;
+        let rise_squared = (d.y.square().to_bits() >> 6) >> (2 * g_log2).min(63);
+        // Q28 * Q30 -> Q58 -> Q56. The cross product has the sign w_z = o.x d.y - o.y d.x,
+        // the opposite of the formula's.
+        let lean = (w.x.product(d.z) - w.z.product(d.x)).to_bits() >> 2 >> g_log2;
         Quadratic {
             a,
             b: (o.x.product(d.x) + o.z.product(d.z)).to_bits() - rise,
@@ -59,12 +126,24 @@ impl Paraboloid {
         }
     }
 
-    /// Along the normal that points away from the axis.
-    #[inline]
-    pub(super) fn gradient(&self, offset: Vec3<Length>) -> Vec3<i64> {
-        let squeeze = 2 * u32::from(self.squeeze);
+    fn gradient(&self, offset: Vec3<Length>, _: u8) -> Vec3<i64> {
+        let shift = 2 * u32::from(self.shift);
         // Q32, for the sake of the last bits of g.
-        let radial = |c: Length| c.to_bits().product(16_i32 >> squeeze);
+        let radial = |c: Length| c.to_bits().product(16_i32 >> shift);
         Vec3::new(radial(offset.x), -i64::from(self.g()), radial(offset.z))
+    }
+
+    fn is_valid(&self) -> bool {
+        (I8F56::ZERO..=I8F56::ONE).contains(&self.radius_squared)
+            && self.shift <= 2
+            && self.g_log2 <= 31
+    }
+}
+
+impl Fields for Paraboloid {
+    fn visit(&mut self, archive: &mut impl Archive) {
+        archive::fixed(&mut self.radius_squared, archive);
+        self.shift.visit(archive);
+        self.g_log2.visit(archive);
     }
 }

@@ -1,29 +1,26 @@
 use crate::math::outlined::inverse_length;
 use crate::math::{Length, Product, SoftFloat, Unit, Vec3, quotient, rounded, wide};
 
-/// `a t² + 2 b t + c = 0`, the equation of a ray and a quadric.
-///
-/// A quadric's function is positive outside.
+/// `a t² + 2 b t + c = 0`: the equation of a ray and a quadric whose implicit function is
+/// positive outside.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Quadratic {
+pub(in super::super) struct Quadratic {
     /// Q60, within ±1.
     pub(super) a: i64,
     /// Q58.
     pub(super) b: i64,
     /// Q56.
     pub(super) c: i64,
-    /// `b² - a c`, Q56, found without that difference.
+    /// `b² - a c`, Q56, computed without that difference.
     pub(super) discriminant: i64,
 }
 
 impl Quadratic {
-    /// The roots above 0, in no order, in steps of 2^-28.
+    /// Returns the positive roots, in no order, in steps of 2^-28.
     ///
-    /// The sum `-b ± sqrt(b² - a c)` that cannot cancel gives one root as
-    /// `sum / a`, the other as `c / sum`: also where a is nearly 0, for a ray
-    /// along a cone's side or a cylinder's axis (Press and others, Numerical
-    /// Recipes, 5.6).
-    #[inline]
+    /// The sum `-b ± sqrt(b² - a c)` that cannot cancel gives one root as `sum / a` and the
+    /// other as `c / sum`. This also holds where a is nearly 0: for a ray along the side of a
+    /// cone or the axis of a cylinder (Press and others, Numerical Recipes, section 5.6).
     pub(super) fn roots(&self) -> [Option<SoftFloat>; 2] {
         let &Self {
             a,
@@ -31,7 +28,7 @@ impl Quadratic {
             c,
             discriminant,
         } = self;
-        // All of one sign: the ray goes away from the surface.
+        // Coefficients of one sign: the ray moves away from the surface.
         if discriminant < 0 || (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0) {
             return [None, None];
         }
@@ -44,42 +41,39 @@ impl Quadratic {
         [ratio(sum, a), ratio(c, sum)]
     }
 
-    /// The other root, for a start point on the surface, where c is 0.
+    /// Returns the other root of a ray that starts on the surface, where c is 0.
     ///
-    /// A ray through the inside always has one, but within a cone, where a may
-    /// be below 0: if rounding lets a ray that grazes the surface seem to
-    /// leave, the surface is met at once. Outside only a double cone is met
-    /// again, where a is below 0, too.
-    #[inline]
-    pub(super) fn across(&self, inward: bool) -> Option<SoftFloat> {
+    /// A ray through the inside always has another root, except within a cone, where a may be
+    /// negative. If rounding makes a grazing ray seem to leave, the ray hits the surface at
+    /// once. A ray on the outside can only hit a double cone again, where a is negative, too.
+    pub(super) fn other_root(&self, is_inside: bool) -> Option<SoftFloat> {
         if self.a < 0 {
             return ratio(-2 * self.b, self.a);
         }
-        inward.then(|| ratio(-2 * self.b, self.a).unwrap_or(SoftFloat::ZERO))
+        is_inside.then(|| ratio(-2 * self.b, self.a).unwrap_or(SoftFloat::ZERO))
     }
 }
 
-/// `o × d`: not inlined, as most forms take it.
+/// `o × d`: the moment of the line through o along d (Plücker).
 #[inline(never)]
 pub(super) fn moment(o: Vec3<Length>, d: Vec3<Unit>) -> Vec3<Length> {
     o.cross(d)
 }
 
-/// A vector of any steps, each component times a factor: not inlined, as is `moment`.
+/// Scales each component of a vector of any steps by a factor, rounded.
 #[inline(never)]
-pub(super) fn squeezed(v: Vec3<i32>, factors: Vec3<Unit>) -> Vec3<i32> {
+pub(super) fn scaled_by_axis(v: Vec3<i32>, factors: Vec3<Unit>) -> Vec3<i32> {
     v.zip(factors, |c, k| rounded::<30>(c.product(k.to_bits())))
 }
 
-/// The square root of Q56, as Q58.
-#[inline]
+/// Square root: Q56 -> Q58.
 fn root(square: u64) -> i64 {
     let inverse = inverse_length(square);
     // Q63 in [1/2, 1), times 2^(32 - half_shift) in steps of 2^-28
     (wide(inverse.normalized, inverse.inverse) >> (1 + inverse.half_shift)) as i64
 }
 
-/// `2^30 n / d` if it is above 0.
+/// Returns `2^30 n / d` if that is positive.
 #[inline(never)]
 fn ratio(n: i64, d: i64) -> Option<SoftFloat> {
     if n == 0 || d == 0 || (n < 0) != (d < 0) {

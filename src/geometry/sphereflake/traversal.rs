@@ -2,66 +2,69 @@ use core::mem::swap;
 
 use heapless::Vec;
 
-use crate::math::high;
-
-use super::flake::{MAX_DEPTH, NodePath, Sphereflake};
 use super::node::Node;
-use super::word::upper_product;
+use super::parameters::{MAX_DEPTH, NodePath, Sphereflake};
+use crate::math::{high, upper_word};
 
-/// The way of a ray through the tree of spheres, the nearer child first.
+/// The traversal of the tree of spheres by a ray, nearer children first.
 ///
-/// Its lists are apart, as the compiler would clear them with it.
-pub(super) struct Walk<'w> {
+/// The lists are borrowed, so that constructing a traversal does not zero them.
+pub(super) struct Traversal<'w> {
     pub(super) flake: &'w Sphereflake,
-    pub(super) nodes: &'w mut Nodes,
-    pub(super) waiting: &'w mut Waiting,
-    pub(super) goal: Goal,
-    /// The sphere that the ray starts on, which is no hit.
-    pub(super) start: NodePath,
-    /// What is farther is passed over, in steps of a `Length`.
-    pub(super) reach: i32,
+    pub(super) nodes: &'w mut NodeStack,
+    pub(super) pending: &'w mut PendingChildren,
+    pub(super) query: Query,
+    /// Sphere that the ray starts on, which is not a hit.
+    pub(super) origin: NodePath,
+    /// Largest distance of interest, in steps of a `Length`.
+    pub(super) t_max: i32,
 }
 
-/// What a walk looks for.
+/// Result that a traversal computes.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Goal {
+pub(super) enum Query {
+    /// The nearest hit.
     Nearest,
+    /// Any hit.
     Any,
+    /// All hits.
     All,
-    /// The sphere that the ray starts on, and no other.
-    Start,
+    /// The hit of the sphere that the ray starts on.
+    Origin,
 }
 
-/// From the largest sphere down to where the walk is.
-pub(super) type Nodes = Vec<Node, { MAX_DEPTH as usize + 1 }>;
+/// Nodes from the root sphere to the current one.
+pub(super) type NodeStack = Vec<Node, { MAX_DEPTH as usize + 1 }>;
 
-/// Children that are still to be visited: of the deepest level up to twelve, of
-/// each above it one less, the nearest last.
-pub(super) type Waiting = Vec<i32, { 11 * MAX_DEPTH as usize + 1 }>;
+/// Children that are still to be visited, nearest last: up to twelve of the deepest level, and
+/// eleven of each level above it.
+pub(super) type PendingChildren = Vec<i32, { 11 * MAX_DEPTH as usize + 1 }>;
 
-/// The upper 16 bits are how much farther a child's foot is, Q14 in radii. Of
-/// the lower, four tell the level of its parent, four the child.
+/// Children whose bounding sphere the line may cross.
+///
+/// The upper 16 bits of an entry are the distance from the parent's foot to the child's, Q14
+/// in radii. The lower bits are the level of the parent and the number of the child, four bits
+/// each.
 type Candidates = Vec<i32, 12>;
 
-/// Set where the ray's line meets the child's sphere itself for sure.
-const SURE: i32 = 1 << 8;
+/// Set if the line is certain to cross the child's sphere itself.
+const CERTAIN: i32 = 1 << 8;
 
-/// What 16 bits leave open: of squares 34 * 2^-14, Q27; of how much farther a
-/// foot is 7 * 2^-14, Q29.
+/// Error bound of squares computed with 16-bit factors: 34 * 2^-14, Q27.
 const SQUARE_MARGIN: i32 = 34 << 13;
+/// Error bound of the distance between feet computed with 16-bit factors: 7 * 2^-14, Q29.
 const FARTHER_MARGIN: i32 = 7 << 15;
 
-impl Walk<'_> {
-    /// Goes on to the nearest child within reach, or that of the deepest sphere
-    /// that has one.
-    #[inline]
-    pub(super) fn next(&mut self) -> Option<()> {
+impl Traversal<'_> {
+    /// Advances to the nearest pending child of the deepest level that has one. Returns `None`
+    /// if no child is left.
+    pub(super) fn advance(&mut self) -> Option<()> {
         loop {
-            let next = self.waiting.pop()?;
+            let next = self.pending.pop()?;
             let (level, child) = (next as u32 >> 4 & 15, next as u32 & 15);
             self.nodes.truncate(level as usize + 1);
             let parent = self.nodes.last()?;
-            if distance(parent, next) - reach_of_child(parent, self.flake) <= self.reach {
+            if foot_distance(parent, next) - child_reach(parent, self.flake) <= self.t_max {
                 let node = parent.child(self.flake, child, 4 * level);
                 let _ = self.nodes.push(node);
                 return Some(());
@@ -69,10 +72,9 @@ impl Walk<'_> {
         }
     }
 
-    /// Lists the children whose bound the ray passes through within reach.
-    /// Tells whether the goal is reached, as one is hit for sure.
-    #[inline]
-    pub(super) fn descend(&mut self, squared: i64) -> bool {
+    /// Adds the children whose bounding sphere the ray crosses before `t_max` to the pending
+    /// ones. Returns true if the query asks for any hit and a child is certain to be hit.
+    pub(super) fn descend(&mut self, foot_squared: i64) -> bool {
         let level = self.nodes.len() as u32 - 1;
         if level >= u32::from(self.flake.depth) {
             return false;
@@ -82,41 +84,40 @@ impl Walk<'_> {
         };
         let path = node.path;
         let mut candidates = Candidates::new();
-        find(node, self.flake, high(squared), &mut candidates);
-        let bound = reach_of_child(node, self.flake);
-        let first = self.waiting.len();
+        find_candidates(node, self.flake, high(foot_squared), &mut candidates);
+        let bound = child_reach(node, self.flake);
+        let first = self.pending.len();
         for &candidate in &candidates {
-            let distance = distance(node, candidate);
-            if distance + bound < 0 || distance - bound > self.reach {
+            let distance = foot_distance(node, candidate);
+            if distance + bound < 0 || distance - bound > self.t_max {
                 continue;
             }
-            if candidate & SURE != 0
-                && self.goal != Goal::All
+            if candidate & CERTAIN != 0
+                && self.query != Query::All
                 && distance > bound
-                && distance < self.reach
-                && path | (candidate as u32 & 15) << (4 * level) != self.start
+                && distance < self.t_max
+                && path | (candidate as u32 & 15) << (4 * level) != self.origin
             {
-                if self.goal == Goal::Any {
+                if self.query == Query::Any {
                     return true;
                 }
-                self.reach = distance;
+                self.t_max = distance;
             }
-            insert(self.waiting, first, candidate & !SURE | (level << 4) as i32);
+            insert(self.pending, first, candidate & !CERTAIN | (level << 4) as i32);
         }
         false
     }
 }
 
-/// Keeps the list from `first` on in falling order.
-#[inline]
-fn insert(waiting: &mut Waiting, first: usize, child: i32) {
-    let is_only = waiting.len() == first;
-    // There is room, as said above.
-    let _ = waiting.push(child);
+/// Inserts a child into the part of the list from `first` on, which is in falling order.
+fn insert(pending: &mut PendingChildren, first: usize, child: i32) {
+    let is_only = pending.len() == first;
+    // The capacity suffices for every tree.
+    let _ = pending.push(child);
     if is_only {
         return;
     }
-    let mut slots = waiting.iter_mut().skip(first).rev();
+    let mut slots = pending.iter_mut().skip(first).rev();
     let Some(mut lower) = slots.next() else {
         return;
     };
@@ -129,53 +130,52 @@ fn insert(waiting: &mut Waiting, first: usize, child: i32) {
     }
 }
 
-/// From the ray's origin to a child's foot, in steps of a `Length`.
+/// Distance from the ray's origin to a child's foot, in steps of a `Length`.
 #[inline(always)]
-fn distance(parent: &Node, candidate: i32) -> i32 {
+fn foot_distance(parent: &Node, candidate: i32) -> i32 {
     // Q30 * Q31 -> Q61 -> Q29 -> Q28
-    high(parent.distance) + (upper_product(candidate, parent.radius.to_bits()) >> 1)
+    high(parent.distance) + (upper_word(candidate, parent.radius.to_bits()) >> 1)
 }
 
-/// How far all of a child reaches from its foot, in steps of a `Length`,
+/// Distance that a child's subtree reaches from the child's foot, in steps of a `Length`,
 /// rounded up.
 #[inline(always)]
-fn reach_of_child(parent: &Node, flake: &Sphereflake) -> i32 {
+fn child_reach(parent: &Node, flake: &Sphereflake) -> i32 {
     let bound = parent.child_bound(flake).to_bits() + FARTHER_MARGIN;
     // Q29 * Q31 -> Q60 -> Q28
-    upper_product(bound, parent.radius.to_bits()) + 3
+    upper_word(bound, parent.radius.to_bits()) + 3
 }
 
-/// Finds the children whose bound the ray's line may pass through, by products
-/// of 16 bits.
+/// Finds the children whose bounding sphere the line may cross, with 16-bit factors.
 ///
-/// With child direction a, `step = 1 + ratio` and `b = step d·a`, the child's
-/// foot has the square `l² + step² - 2 step l·a - b²`. Children are six pairs of
-/// opposites, and the dot products share their terms.
+/// With the child direction a, `step = 1 + ratio` and `b = step d·a`, the squared distance of
+/// the child's center from the line is `l² + step² - 2 step l·a - b²`. Children are six pairs
+/// of opposites, and the dot products share their terms.
 #[inline(always)]
-fn find(node: &Node, flake: &Sphereflake, squared: i32, candidates: &mut Candidates) {
-    let (steps, step) = (&flake.steps, flake.coarse_step());
+fn find_candidates(node: &Node, flake: &Sphereflake, foot_squared: i32, candidates: &mut Candidates) {
+    let (steps, step) = (&flake.steps, flake.step_u16());
     // Q15 -> Q30 -> Q27
     let square = |c: u32| ((c * c) >> 3) as i32;
     // Q26 -> Q27
-    let squares = (squared << 1) + square(step.to_bits().into());
+    let squares = (foot_squared << 1) + square(step.to_bits().into());
     let bound = (node.child_bound(flake).to_bits() >> 14) as u32 + 1;
     let least = squares - square(bound) - SQUARE_MARGIN;
-    let sure = squares - square(flake.ratio.to_bits() >> 17) + SQUARE_MARGIN;
+    let certain = squares - square(flake.ratio.to_bits() >> 17) + SQUARE_MARGIN;
     // Q30 -> Q14 -> Q29 -> Q14; Q29 -> Q13 -> Q28, and so twice of it in Q27.
     let farther = steps.dots(step, node.direction.map(|c| c.to_bits() >> 16), 15);
     let nearer = steps.dots(step, node.foot.map(|c| c.to_bits() >> 16), 0);
     for ((pair, farther), nearer) in (1..).zip(farther).zip(nearer) {
         // Q14 -> Q28 -> Q27
         let square = (farther * farther) >> 1;
-        // Up to a step, which is in the margin.
+        // Off by at most one step, which the margin includes.
         let sign = nearer >> 31;
         let nearer = nearer ^ sign;
         if square + nearer < least {
             continue;
         }
         let child = |sign: i32| ((farther ^ sign) << 16) + pair + (sign & 6);
-        let is_sure = if square + nearer > sure { SURE } else { 0 };
-        let _ = candidates.push(child(sign) | is_sure);
+        let certain_flag = if square + nearer > certain { CERTAIN } else { 0 };
+        let _ = candidates.push(child(sign) | certain_flag);
         if square - nearer >= least {
             let _ = candidates.push(child(!sign));
         }
@@ -186,15 +186,15 @@ fn find(node: &Node, flake: &Sphereflake, squared: i32, candidates: &mut Candida
 mod tests {
     use fixed::types::{I1F31, U0F32};
 
-    use super::super::flake::{Radii, SphereflakeParams};
+    use super::super::parameters::{Radii, SphereflakeParams};
     use super::*;
-    use crate::geometry::sphereflake::direction::axis;
+    use super::super::child_frame::axis;
     use crate::math::{Length, Unit, Vec3, direction, high};
 
-    /// What docs/fixed-point.md says; less where pointers are short.
+    /// Checks the figure in docs/fixed-point.md; targets with short pointers need less.
     #[test]
-    fn a_walk_takes_as_many_bytes_as_documented() {
-        let size = size_of::<Nodes>() + size_of::<Waiting>();
+    fn traversal_memory_is_as_documented() {
+        let size = size_of::<NodeStack>() + size_of::<PendingChildren>();
         assert!(size <= 808, "{size}");
     }
 
@@ -211,7 +211,7 @@ mod tests {
         })
     }
 
-    /// A line that passes through the bound.
+    /// A random line through the bounding sphere.
     fn line(flake: &Sphereflake, random: &mut fastrand::Rng) -> Option<Node> {
         let mut component = || random.i64(-(1 << 30)..1 << 30);
         let along = direction(Vec3::new(component(), component(), component()))?;
@@ -219,7 +219,7 @@ mod tests {
             direction(along.cross(direction(Vec3::new(component(), component(), component()))?))?;
         let far = random.i32(0..flake.bound.to_bits());
         Some(Node {
-            foot: across.map(|c| Radii::from_bits(upper_product(c.to_bits(), far) << 2)),
+            foot: across.map(|c| Radii::from_bits(upper_word(c.to_bits(), far) << 2)),
             direction: along,
             distance: 0,
             radius: I1F31::from_num(0.25),
@@ -228,9 +228,9 @@ mod tests {
         })
     }
 
-    /// No child is missed, and none is said to be hit that is not.
+    /// Checks that no child is missed, and that children marked as certain are hit.
     #[test]
-    fn sixteen_bits_are_enough() {
+    fn sixteen_bit_factors_find_all_children() {
         let mut random = fastrand::Rng::with_seed(1);
         let mut seen = [0; 3];
         for (ratio, depth) in [
@@ -247,7 +247,7 @@ mod tests {
                     continue;
                 };
                 let mut candidates = Candidates::new();
-                find(&node, &flake, high(node.squared()), &mut candidates);
+                find_candidates(&node, &flake, high(node.foot_squared()), &mut candidates);
                 let step = 1.0 + ratio;
                 let bound: f64 = node.child_bound(&flake).to_num();
                 for child in 1..=12 {
@@ -264,13 +264,13 @@ mod tests {
                         - farther * farther;
                     let it = candidates.iter().find(|it| **it as u32 & 15 == child);
                     let is_met = square < bound * bound;
-                    let is_sure = it.is_some_and(|it| it & SURE != 0);
+                    let is_certain = it.is_some_and(|it| it & CERTAIN != 0);
                     assert!(
                         it.is_some() || !is_met,
                         "{ratio}, {depth}, {child}: {node:?}"
                     );
                     assert!(
-                        !is_sure || square < ratio * ratio,
+                        !is_certain || square < ratio * ratio,
                         "{ratio}, {child}: {node:?}"
                     );
                     if let Some(it) = it {
@@ -278,15 +278,15 @@ mod tests {
                         let margin = f64::from(FARTHER_MARGIN) / f64::from(1 << 29);
                         assert!(error.abs() < margin, "{ratio}, {child}: {error}");
                     }
-                    for (count, is) in seen.iter_mut().zip([it.is_some(), is_met, is_sure]) {
+                    for (count, is) in seen.iter_mut().zip([it.is_some(), is_met, is_certain]) {
                         *count += u32::from(is);
                     }
                 }
             }
         }
-        let [found, met, sure] = seen;
-        assert!(met > 100_000 && sure > 10_000, "{seen:?}");
-        // Little is visited in vain.
+        let [found, met, certain] = seen;
+        assert!(met > 100_000 && certain > 10_000, "{seen:?}");
+        // Few children are visited without a hit.
         assert!(found < met + met / 20, "{seen:?}");
     }
 }

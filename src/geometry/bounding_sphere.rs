@@ -1,0 +1,17 @@
+use crate::math::{Length, Square, Vec3};
+
+/// A sphere around a bounded shape.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct BoundingSphere {
+    pub(crate) center: Vec3<Length>,
+    pub(crate) radius: Length,
+}
+
+impl BoundingSphere {
+    /// Returns true if the spheres, enlarged by more than all roundings, do not touch.
+    pub(crate) fn is_disjoint(&self, other: &Self) -> bool {
+        const MARGIN: Length = Length::lit("0.00001");
+        let reach = self.radius + other.radius + MARGIN;
+        (self.center - other.center).squared() > reach.square()
+    }
+}

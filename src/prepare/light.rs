@@ -1,0 +1,44 @@
+use crate::archive::{self, Archive, Fields};
+use crate::geometry::{SurfaceFlags, valid};
+use crate::math::{Color, Factor, Length, Vec3};
+
+/// A point light: 28 bytes.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Light {
+    pub(crate) position: Vec3<Length>,
+    pub(crate) diffuse: Color<Factor>,
+    pub(crate) specular: Color<Factor>,
+    /// True if an unbounded object may occlude a bounded one from this light. Derived.
+    pub(crate) is_occluded_by_planes: bool,
+    /// Flag of objects that nothing can occlude from this light; empty from the ninth light
+    /// on. Derived.
+    pub(crate) unoccluded: SurfaceFlags,
+}
+
+impl Light {
+    /// Returns the light with its colors multiplied by a transmittance.
+    #[inline(never)]
+    pub(crate) fn attenuated(&self, transmittance: Color<Factor>) -> Self {
+        Self {
+            diffuse: self.diffuse.filtered(transmittance),
+            specular: self.specular.filtered(transmittance),
+            ..*self
+        }
+    }
+
+    /// Returns true if every field is in the range that tracing relies on.
+    #[inline(never)]
+    pub(crate) fn is_valid(&self) -> bool {
+        valid::is_within_one(&self.position)
+            && valid::are_factors([self.diffuse, self.specular])
+    }
+}
+
+impl Fields for Light {
+    #[inline(never)]
+    fn visit(&mut self, archive: &mut impl Archive) {
+        archive::vector(&mut self.position, archive);
+        archive::color(&mut self.diffuse, archive);
+        archive::color(&mut self.specular, archive);
+    }
+}

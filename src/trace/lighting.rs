@@ -1,0 +1,236 @@
+//! Direct lighting: emission, ambient light, and the lights that are visible from a point.
+
+use long_multiply::IS_CALL;
+
+use super::interaction::Interaction;
+use super::tracer::Tracer;
+use crate::geometry::{ShadowSegment, SurfaceFlags};
+use crate::math::{
+    Color, Factor, Intensity, Length, Product, Radiance, Square, Unit, Vec3, high, inverse_length,
+    leading_zeros, power, reciprocal_root, wide,
+};
+use crate::observer::{Observer, to_real};
+use crate::prepare::Light;
+
+impl<O: Observer> Tracer<'_, '_, O> {
+    /// Computes `le + ka ia + sum over lights of T (kd (L·n) id + ks S is)`.
+    #[inline(always)]
+    pub(super) fn direct_lighting(&mut self, at: &Interaction<'_>, sum: &mut Color<Radiance>) {
+        *sum = at.material.emitted;
+        if !at.material.kd.is_black() {
+            for light in 0..self.scene.lights.len() {
+                self.add_light(at, light, sum);
+            }
+        } else if !at.material.ks.is_black() {
+            self.add_highlights(at, sum);
+        }
+    }
+
+    /// Adds the highlights of a surface without diffuse reflection.
+    #[inline(never)]
+    fn add_highlights(&mut self, at: &Interaction<'_>, sum: &mut Color<Radiance>) {
+        for (index, light) in self.scene.lights.iter().enumerate() {
+            if at.material.is_blinn || at.may_have_highlight(light) {
+                self.add_light(at, index, sum);
+            }
+        }
+    }
+
+    /// Adds the light of one light that the surface reflects towards the ray's origin.
+    #[inline(never)]
+    fn add_light(&mut self, at: &Interaction<'_>, index: usize, sum: &mut Color<Radiance>) {
+        let Some(light) = self.scene.lights.get(index) else {
+            return;
+        };
+        // In steps of the point's shift.
+        let to_light = at.ray.origin.to(light.position);
+        let along = at.along_normal(to_light);
+        if along <= 0 {
+            return;
+        }
+        let inverse = inverse_length(to_light.squared().to_bits() as u64);
+        let n_dot_l = inverse.cosine(along);
+        let material = at.material;
+        let highlight = if material.min_highlight_cosine == u32::MAX {
+            Factor::ZERO
+        } else {
+            let v_dot_l = inverse.cosine(to_light.along(at.ray.direction).to_bits());
+            at.highlight(v_dot_l, n_dot_l)
+        };
+        if highlight == Factor::ZERO && material.kd.is_black() {
+            return;
+        }
+        let segment = ShadowSegment {
+            light: light.position,
+            to_light,
+            inverse,
+            ray: &at.ray,
+        };
+        let mut transmittance = None;
+        let is_visible = self.is_visible(&segment, index, &mut transmittance);
+        self.observer.shadow(
+            index as u16,
+            is_visible.then(|| transmittance.map_or(to_real(Color::<Factor>::WHITE), to_real)),
+        );
+        if !is_visible {
+            return;
+        }
+        let attenuated;
+        let light = match transmittance {
+            None => light,
+            Some(transmittance) => {
+                attenuated = light.attenuated(transmittance);
+                &attenuated
+            }
+        };
+        *sum = sum.plus(material.kd.reflect(to_intensity(n_dot_l), light.diffuse));
+        if highlight != Factor::ZERO {
+            *sum = sum.plus(material.ks.reflect(highlight.into(), light.specular));
+        }
+    }
+}
+
+impl Interaction<'_> {
+    /// Component of a vector along the normal, Q58.
+    #[inline(always)]
+    fn along_normal(&self, v: Vec3<Length>) -> i64 {
+        let leaves = &self.ray.leaves;
+        if IS_CALL && leaves.flags.intersects(SurfaceFlags::HORIZONTAL) {
+            let y = if leaves.is_inside { -v.y } else { v.y };
+            i64::from(y.to_bits()) << 30
+        } else {
+            v.along(self.normal).to_bits()
+        }
+    }
+
+    /// Returns true if a light may have a visible Phong highlight. Most highlights are too
+    /// dim, which needs no square root to find out.
+    #[inline(always)]
+    fn may_have_highlight(&self, light: &Light) -> bool {
+        /// More than the high words leave out.
+        const MARGIN: i32 = 8;
+        let to_light = self.ray.origin.to(light.position);
+        // `2 (L·n)(-V·n) + L·V` times the length of `to_light`: Q58 -> Q26. The first term
+        // is a product with Q30.
+        let along = high(to_light.along(self.normal).to_bits());
+        let reflected = along.product(self.cosine.to_bits()) >> 29;
+        let across = high(to_light.along(self.ray.direction).to_bits());
+        let base = reflected as i32 + across + MARGIN;
+        let min_cosine = self.material.min_highlight_cosine >> 16;
+        let square = high(to_light.squared().to_bits()) as u32;
+        // Q52 beside Q30 * Q24
+        along >= 0
+            && base > 0
+            && (base.square() as u64) << 2 >= wide(square, min_cosine * min_cosine)
+    }
+
+    /// Phong's `(R_L · -V)^s` or Blinn's `(H · n)^s`.
+    ///
+    /// Both follow from three cosines, without the vectors R_L and H:
+    /// `R_L · -V = 2 (L·n)(-V·n) + L·V`, and `H · n = (L·n - V·n) / |L - V|` with
+    /// `|L - V|² = 2 - 2 L·V`.
+    #[inline(always)]
+    fn highlight(&self, v_dot_l: Unit, n_dot_l: Unit) -> Factor {
+        let base = if self.material.is_blinn {
+            let sum = (n_dot_l.to_bits() as u32).wrapping_add(self.cosine.to_bits() as u32);
+            // |L - V|² / 4, as U0F32, is at most 1, and 0 only if V = L.
+            let square = ((1 << 30) - i64::from(v_dot_l.to_bits())) << 1;
+            let square = square.clamp(1, i64::from(u32::MAX)) as u32;
+            let shift = leading_zeros(square) & !1;
+            // Q30 * U1F31 * 2^(shift/2) / 2 -> Q31
+            let product = sum.product(reciprocal_root(square << shift));
+            (product >> (31 - shift / 2)) as i64
+        } else {
+            // I4F60 + Q30 -> Q31
+            ((n_dot_l.product(self.cosine).to_bits() + (1 << 27)) >> 28)
+                + (i64::from(v_dot_l.to_bits()) << 1)
+        };
+        if base < i64::from(self.material.min_highlight_cosine) {
+            return Factor::ZERO;
+        }
+        let highlight = power(base.min(1 << 31) as u32, self.material.shininess);
+        Factor::from_bits(((highlight + (1 << 15)) >> 16) as u16)
+    }
+}
+
+/// Rounds a cosine of 0 to 1. An excess over 1 is too small to be visible here.
+#[inline(always)]
+fn to_intensity(cosine: Unit) -> Intensity {
+    Intensity::from_bits(((cosine.to_bits() + (1 << 13)) >> 14) as u32)
+}
+
+#[cfg(test)]
+mod tests {
+    use fastrand::Rng;
+
+    use super::*;
+        use crate::geometry::{OriginSurface, Point, Ray};
+    use crate::math::direction;
+    use crate::prepare::Material;
+    use crate::trace::optics;
+
+    fn vector(random: &mut Rng, reach: f64) -> Vec3<Length> {
+        let mut c = || Length::from_num((2.0 * random.f64() - 1.0) * reach);
+        Vec3::new(c(), c(), c())
+    }
+
+    /// Uses lights from the center of a highlight to beyond its edge, near and far away.
+    #[test]
+    fn visible_highlights_are_kept() {
+        let random = &mut Rng::with_seed(1);
+        let (mut seen, mut passed) = (0, 0);
+        for _ in 0..if cfg!(miri) { 100 } else { 100_000 } {
+            let shininess = 2_f64.powf(12.0 * random.f64());
+            let material = Material {
+                ks: Color::WHITE,
+                shininess: (shininess * 65_536.0) as u32,
+                ..Material::default()
+            };
+            let material = material.with_derived_fields();
+            let mut unit = || direction(vector(random, 1.0).map(|c| c.to_bits().into()));
+            let (Some(view), Some(normal)) = (unit(), unit()) else {
+                continue;
+            };
+            let cosine = view.cosine(normal);
+            let normal = if cosine > 0 { -normal } else { normal };
+            let cosine = cosine.abs();
+            let ray = Ray {
+                origin: Point::near(vector(random, 1.0)),
+                direction: view,
+                leaves: OriginSurface::NONE,
+            };
+            let interaction = Interaction {
+                ray,
+                normal,
+                cosine,
+                material: &material,
+            };
+            let mirrored = optics::mirrored(view, normal, cosine);
+            let distance = Length::from_num(2_f64.powf(-12.0 * random.f64()));
+            let aside = vector(random, 4.0 * distance.to_num::<f64>() / shininess.sqrt());
+            let light = Light {
+                position: ray.origin.coordinates + mirrored.times(distance) + aside,
+                ..Light::default()
+            };
+            let way = ray.origin.to(light.position);
+            let along = way.along(normal).to_bits();
+            if along <= 0 {
+                continue;
+            }
+            let inverse = inverse_length(way.squared().to_bits() as u64);
+            let across = inverse.cosine(way.along(view).to_bits());
+            let highlight = interaction.highlight(across, inverse.cosine(along));
+            let may_have_highlight = interaction.may_have_highlight(&light);
+            assert!(
+                highlight == Factor::ZERO || may_have_highlight,
+                "{interaction:?} {light:?}"
+            );
+            seen += i32::from(highlight != Factor::ZERO);
+            passed += i32::from(!may_have_highlight);
+        }
+        assert!(
+            seen > passed && 20 * passed > seen,
+            "{seen} visible, {passed} culled"
+        );
+    }
+}
