@@ -139,7 +139,8 @@ fn object(item: SceneItem, object: &Object, materials: usize) -> Result<(), Scen
         if usize::from(index) < materials {
             Ok(())
         } else {
-            fail(item, field, SceneProblem::NoSuchMaterial(index))
+            let count = materials as u16;
+            fail(item, field, SceneProblem::NoSuchMaterial { index, count })
         }
     };
     match object.texture {
