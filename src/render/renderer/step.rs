@@ -1,62 +1,35 @@
-//! Pixels to a display.
+//! Stepwise drawing.
 
-use embedded_graphics_core::Pixel as Dot;
 use embedded_graphics_core::draw_target::DrawTarget;
-use embedded_graphics_core::geometry::{Point, Size};
-use embedded_graphics_core::primitives::{PointsIter, Rectangle};
 
 use super::Renderer;
 use crate::math::{Color, Radiance};
-use crate::observer::{Observer, Pair, Rays};
-use crate::render::progress::{RenderProgress, RowSpan, Step};
+use crate::observer::{Observer, Pair, RayCounter};
+use crate::render::DisplayColor;
+use crate::render::fill::{draw_sparse, fill_blocks, fill_line};
+use crate::render::progress::{RenderProgress, Step};
 use crate::render::scanline::PixelIter;
-use crate::render::{DisplayColor, Output};
 
 impl<O: Observer> Renderer<'_, O> {
-    /// Draws the whole picture, top to bottom.
+    /// Continues `progress` by one step; does nothing if it is complete.
+    ///
+    /// A line or the rest of a line is one call of `fill_contiguous`, and so is a block larger
+    /// than a pixel. In a pass that traces every other pixel of a line, the line is one call of
+    /// `draw_iter`. If [`Step::Rays`] ends within a line, its call gets fewer colors than its
+    /// area has pixels.
+    ///
+    /// `step` is inlined, so a step that is known at compile time links only its own code.
+    /// [`Step::Rays`] links a second copy of the ray tracer, 10 KB of flash, that counts rays and
+    /// executes 3 % more instructions.
     ///
     /// # Errors
-    /// The display's own, at once.
-    pub fn draw<D>(&mut self, target: &mut D) -> Result<(), D::Error>
-    where
-        D: DrawTarget<Color: DisplayColor>,
-    {
-        let mut drawing = RenderProgress::scanlines(Rectangle::new(Point::zero(), self.size()));
-        self.step(&mut drawing, Step::Pass, target)
-    }
-
-    /// Draws line `y` by one call of `fill_contiguous`.
-    ///
-    /// # Errors
-    /// The display's own.
-    pub fn draw_line<D>(&mut self, y: u32, target: &mut D) -> Result<(), D::Error>
-    where
-        D: DrawTarget<Color: DisplayColor>,
-    {
-        let row = RowSpan::line(y, self.view.columns());
-        let output = self.output;
-        fill_line(&row, self.pixels(y), output, target)
-    }
-
-    /// Draws on, as far as told; does nothing if the drawing is complete.
-    ///
-    /// A block is one call of `fill_contiguous`, and so is a line or the rest of
-    /// one; where each second pixel of a line is new, those are one call of
-    /// `draw_iter`. A step that ends within a line by its budget of rays ends the
-    /// colors of that call early.
-    ///
-    /// This is inlined, so that a step known at compile time brings only its own
-    /// code: [`Step::Rays`] has a copy of the ray tracer of its own, 10 KB of
-    /// flash, which takes 3 % more instructions for counting.
-    ///
-    /// # Errors
-    /// The display's own, at once. The drawing is then where the last call that
-    /// succeeded took it. The next step repeats the call that failed, of which the display
-    /// may have shown some pixels before, and no other; in the end the picture is the same.
+    /// The first error of the display, which ends the step. `progress` is then at the start of
+    /// the failed call, of which the display may have shown some pixels. The next step repeats
+    /// that call and no other, so the finished picture is the same.
     #[inline]
     pub fn step<D>(
         &mut self,
-        drawing: &mut RenderProgress,
+        progress: &mut RenderProgress,
         step: Step,
         target: &mut D,
     ) -> Result<(), D::Error>
@@ -64,48 +37,56 @@ impl<O: Observer> Renderer<'_, O> {
         D: DrawTarget<Color: DisplayColor>,
     {
         match step {
-            Step::Line => self.step_line(drawing, target),
-            Step::Pass => self.step_pass(drawing, target),
-            Step::Rays(budget) => self.step_rays(drawing, budget, target),
+            Step::Line => self.step_line(progress, target),
+            Step::Pass => self.step_pass(progress, target),
+            Step::Rays(budget) => self.step_rays(progress, budget, target),
         }
     }
 
-    fn step_line<D>(&mut self, drawing: &mut RenderProgress, target: &mut D) -> Result<(), D::Error>
+    fn step_line<D>(
+        &mut self,
+        progress: &mut RenderProgress,
+        target: &mut D,
+    ) -> Result<(), D::Error>
     where
         D: DrawTarget<Color: DisplayColor>,
     {
         let size = self.size();
-        let Some(row) = drawing.row(size) else {
+        let Some(row) = progress.row(size) else {
             return Ok(());
         };
         let output = self.output;
-        let (raster, observer) = (&mut self.raster, &mut self.observer);
-        let pixels = raster.pixels(&self.view, row.y, row.columns, observer);
+        let (tracer, observer) = (&mut self.tracer, &mut self.observer);
+        let pixels = tracer.pixels(&self.rays, row.y, row.columns, observer);
         if row.block > 1 {
-            return fill_blocks(drawing, size, &row, pixels, output, target);
+            return fill_blocks(progress, size, &row, pixels, output, target);
         }
-        match row.is_whole() {
+        match row.is_contiguous() {
             true => fill_line(&row, pixels, output, target),
-            false => draw_dots(&row, pixels, output, target),
+            false => draw_sparse(&row, pixels, output, target),
         }?;
-        drawing.finish_row(size);
+        progress.finish_row(size);
         Ok(())
     }
 
-    fn step_pass<D>(&mut self, drawing: &mut RenderProgress, target: &mut D) -> Result<(), D::Error>
+    fn step_pass<D>(
+        &mut self,
+        progress: &mut RenderProgress,
+        target: &mut D,
+    ) -> Result<(), D::Error>
     where
         D: DrawTarget<Color: DisplayColor>,
     {
-        let pass = drawing.block();
-        while drawing.block() == pass && !drawing.is_complete() {
-            self.step_line(drawing, target)?;
+        let pass = progress.block();
+        while progress.block() == pass && !progress.is_complete() {
+            self.step_line(progress, target)?;
         }
         Ok(())
     }
 
     fn step_rays<D>(
         &mut self,
-        drawing: &mut RenderProgress,
+        progress: &mut RenderProgress,
         budget: u32,
         target: &mut D,
     ) -> Result<(), D::Error>
@@ -114,110 +95,56 @@ impl<O: Observer> Renderer<'_, O> {
     {
         let size = self.size();
         let output = self.output;
-        let mut rays = Rays::default();
-        while rays.0 < budget
-            && let Some(row) = drawing.row(size)
+        let mut counter = RayCounter::default();
+        while counter.0 < budget
+            && let Some(row) = progress.row(size)
         {
-            let (raster, observer) = (&mut self.raster, &mut self.observer);
-            let mut both = Pair(&mut rays, observer);
-            let mut within = WithinBudget {
-                pixels: raster.pixels(&self.view, row.y, row.columns, &mut both),
+            let (tracer, observer) = (&mut self.tracer, &mut self.observer);
+            let mut both = Pair(&mut counter, observer);
+            let mut pixels = RayBudget {
+                pixels: tracer.pixels(&self.rays, row.y, row.columns, &mut both),
                 budget,
-                given: 0,
-                is_spent: false,
+                yielded: 0,
+                is_exhausted: false,
             };
             if row.block > 1 {
-                fill_blocks(drawing, size, &row, within, output, target)?;
+                fill_blocks(progress, size, &row, pixels, output, target)?;
                 continue;
             }
-            match row.is_whole() {
-                true => fill_line(&row, &mut within, output, target),
-                false => draw_dots(&row, &mut within, output, target),
+            match row.is_contiguous() {
+                true => fill_line(&row, &mut pixels, output, target),
+                false => draw_sparse(&row, &mut pixels, output, target),
             }?;
-            match within.is_spent {
-                true => drawing.advance(within.given, size),
-                // What a display does not ask for it need not show.
-                false => drawing.finish_row(size),
+            match pixels.is_exhausted {
+                true => progress.advance(pixels.yielded, size),
+                // A display that takes only some of the pixels has clipped the others.
+                false => progress.finish_row(size),
             }
         }
         Ok(())
     }
 }
 
-/// Fills blocks, one by one.
-fn fill_blocks<D>(
-    drawing: &mut RenderProgress,
-    size: Size,
-    row: &RowSpan,
-    pixels: impl Iterator<Item = (u32, Color<Radiance>)>,
-    output: Output,
-    target: &mut D,
-) -> Result<(), D::Error>
-where
-    D: DrawTarget<Color: DisplayColor>,
-{
-    for (x, color) in pixels {
-        let block = row.block_at(x);
-        target.fill_contiguous(
-            &block,
-            block
-                .points()
-                .map(|at| DisplayColor::from_radiance(color, at, output)),
-        )?;
-        drawing.advance(1, size);
-    }
-    Ok(())
-}
-
-/// Fills a line, or the rest of one.
-pub(crate) fn fill_line<D>(
-    row: &RowSpan,
-    pixels: impl Iterator<Item = (u32, Color<Radiance>)>,
-    output: Output,
-    target: &mut D,
-) -> Result<(), D::Error>
-where
-    D: DrawTarget<Color: DisplayColor>,
-{
-    let colors = pixels.map(|(x, color)| DisplayColor::from_radiance(color, row.point(x), output));
-    target.fill_contiguous(&row.area(), colors)
-}
-
-/// Draws each second pixel of a line.
-fn draw_dots<D>(
-    row: &RowSpan,
-    pixels: impl Iterator<Item = (u32, Color<Radiance>)>,
-    output: Output,
-    target: &mut D,
-) -> Result<(), D::Error>
-where
-    D: DrawTarget<Color: DisplayColor>,
-{
-    let dots = pixels.map(|(x, color)| (row.point(x), color));
-    target
-        .draw_iter(dots.map(|(at, color)| Dot(at, DisplayColor::from_radiance(color, at, output))))
-}
-
-/// Pixels, until a budget of rays is spent.
-struct WithinBudget<'r, 'o, O> {
-    pixels: PixelIter<'r, Pair<'o, Rays, O>>,
+/// Iterator over pixels that ends when a number of rays has been traced.
+struct RayBudget<'r, 'o, O> {
+    pixels: PixelIter<'r, Pair<'o, RayCounter, O>>,
     budget: u32,
-    /// How many pixels there were.
-    given: u32,
-    /// Whether the budget was spent before the pixels were.
-    is_spent: bool,
+    /// Number of pixels that the iterator has returned.
+    yielded: u32,
+    /// True if the budget ended before the pixels.
+    is_exhausted: bool,
 }
 
-impl<O: Observer> Iterator for WithinBudget<'_, '_, O> {
+impl<O: Observer> Iterator for RayBudget<'_, '_, O> {
     type Item = (u32, Color<Radiance>);
 
     #[inline(always)]
     fn next(&mut self) -> Option<Self::Item> {
-        self.is_spent = self.pixels.observer.0.0 >= self.budget;
-        if self.is_spent {
+        self.is_exhausted = self.pixels.observer.0.0 >= self.budget;
+        if self.is_exhausted {
             return None;
         }
-        self.given += 1;
+        self.yielded += 1;
         self.pixels.next()
     }
 }
