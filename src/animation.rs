@@ -1,7 +1,8 @@
-//! Motion: key frames of what moves in a scene, which `static`s can hold.
+//! Keyframe animation of cameras, objects and lights.
 //!
-//! Time is in seconds, all arithmetic in fixed point, so a frame is the same on
-//! every target. Orbits alone take sines, from `angle`.
+//! An [`Animation`] is plain data that a `static` can hold. [`AnimatedScene`] applies it to a
+//! scene. Times are in seconds. All arithmetic is `I32F32` fixed point that saturates, so a
+//! frame is the same on every target.
 
 mod animated_scene;
 mod error;
@@ -14,16 +15,14 @@ pub use keyframe::{Interpolation, Keyframe};
 use crate::math::{Color, Real, Vec3};
 use crate::scene::{Camera, Light, Object, Scene};
 
-/// The longest animation, in seconds: 2^24, half a year.
-const LONGEST: Real = Real::lit("16777216");
+/// Greatest duration: 2^24 seconds, about half a year.
+const MAX_DURATION: Real = Real::lit("16777216");
 
-/// How a scene moves.
-///
-/// A [`AnimatedScene`] has the room to apply it to a scene.
+/// Set of tracks, each of which animates one property of a scene.
 ///
 /// ```
-/// use whitted::{Keyframe, Real};
-/// use whitted::animation::{Animation, Interpolation, Target, Track};
+/// use whitted::Real;
+/// use whitted::animation::{Animation, Interpolation, Keyframe, Target, Track};
 ///
 /// static ONCE_AROUND: Animation = Animation {
 ///     duration: Real::lit("4"),
@@ -45,65 +44,66 @@ const LONGEST: Real = Real::lit("16777216");
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Animation<'a> {
-    /// How long it takes, in seconds: above 0, at most 2^24.
+    /// Duration in seconds, above 0 and at most 2^24.
     pub duration: Real,
-    /// Whether it then begins anew; else all stays where it is.
+    /// True if the animation repeats. Otherwise the scene stays as it is at the end.
     pub looping: bool,
-    /// What moves.
+    /// The tracks.
     pub tracks: &'a [Track<'a>],
 }
 
-/// The motion of one thing.
+/// Animation of one property.
 #[derive(Clone, Copy, Debug)]
 pub struct Track<'a> {
-    /// What it moves.
+    /// Property that the track animates.
     pub target: Target,
-    /// How it gets from key to key.
+    /// Interpolation between keyframes.
     pub interpolation: Interpolation,
-    /// Where it is when. Before the first key it is where that says, after the last
-    /// where that says.
+    /// Keyframes in the order of their times. The value of the first keyframe also holds before
+    /// its time, the value of the last keyframe after its time.
     pub keys: &'a [Keyframe],
 }
 
-/// What a track moves. Objects and lights are numbered from 0.
+/// Property that a track animates. Objects and lights are numbered from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Target {
-    /// The eye.
+    /// Position of the camera, [`Camera::eye`].
     CameraEye,
-    /// What the camera looks at.
+    /// Point that the camera looks at, [`Camera::look_at`].
     CameraLookAt,
-    /// The field of view, in degrees.
+    /// Vertical field of view in degrees, [`Camera::fovy_deg`].
     CameraFovy,
-    /// Yaw and pitch, in degrees, of [`Camera::orbited`]; once the other tracks
-    /// have moved the camera.
+    /// Yaw and pitch in degrees for [`Camera::orbited`], applied after the other camera tracks.
     CameraOrbit,
-    /// The `center` or `origin` of an object, the `point` of a plane.
+    /// Field `center`, `origin` or, for a plane, `point` of an object.
     ObjectPosition(u16),
-    /// The radius of a sphere, cylinder, cone or sphereflake.
+    /// Radius of a sphere, cylinder, cone or sphereflake.
     ObjectRadius(u16),
-    /// The position of a light.
+    /// Position of a light.
     LightPosition(u16),
-    /// The color of a light, diffuse and specular.
+    /// Diffuse and specular intensity of a light.
     LightColor(u16),
 }
 
 impl Animation<'_> {
-    /// A scene's camera as it has moved at a time, in seconds; the first part of what a
-    /// [`AnimatedScene`] does, for
-    /// [`PreparedScene::set_camera`](crate::PreparedScene::set_camera).
+    /// Returns `camera` as the camera tracks move it at `time`, in seconds.
+    ///
+    /// Where only the camera moves, pass the result to
+    /// [`PreparedScene::set_camera`](crate::PreparedScene::set_camera), which is cheaper than
+    /// preparing the scene of every frame.
     ///
     /// # Errors
-    /// What is wrong with the animation.
+    /// The first track with invalid keyframes, or an invalid duration.
     pub fn camera(&self, mut camera: Camera, time: Real) -> Result<Camera, AnimationError> {
         self.check_keys()?;
-        self.move_camera(&mut camera, self.moment(time));
+        self.move_camera(&mut camera, self.local_time(time));
         Ok(camera)
     }
 
-    /// Moves what moves.
+    /// Writes the values of all tracks at `time` into a scene.
     fn apply(&self, time: Real, camera: &mut Camera, objects: &mut [Object], lights: &mut [Light]) {
-        let time = self.moment(time);
+        let time = self.local_time(time);
         self.move_camera(camera, time);
         for track in self.tracks {
             let value = || self.value(track, time);
@@ -155,8 +155,8 @@ impl Animation<'_> {
         }
     }
 
-    /// A time within the animation.
-    fn moment(&self, time: Real) -> Real {
+    /// Maps a time to the animation's duration: wraps if it repeats, clamps otherwise.
+    fn local_time(&self, time: Real) -> Real {
         if self.looping {
             time.checked_rem_euclid(self.duration).unwrap_or(Real::ZERO)
         } else {
@@ -169,21 +169,23 @@ impl Animation<'_> {
         keyframe::value(track.keys, track.interpolation, period, time)
     }
 
-    /// Checks all that can be known without a scene.
+    /// Checks the duration and the times of all keyframes.
     fn check_keys(&self) -> Result<(), AnimationError> {
-        if self.duration <= 0 || self.duration > LONGEST {
-            return Err(AnimationProblem::Duration.of_all());
+        if self.duration <= 0 || self.duration > MAX_DURATION {
+            return Err(AnimationProblem::Duration.in_animation());
         }
         for (track, index) in self.tracks.iter().zip(0..) {
-            keyframe::check(track.keys, self.duration).map_err(|problem| problem.of(index))?;
+            keyframe::check(track.keys, self.duration)
+                .map_err(|problem| problem.in_track(index))?;
         }
         Ok(())
     }
 
-    /// Checks the animation of a scene; a [`AnimatedScene`] does so for each frame.
+    /// Checks that the animation can be applied to `scene`. [`AnimatedScene::frame`] does so for
+    /// each frame.
     ///
     /// # Errors
-    /// The first track that cannot be, and what is wrong with it.
+    /// The first track that has invalid keyframes or an invalid target, or an invalid duration.
     pub fn check(&self, scene: &Scene<'_>) -> Result<(), AnimationError> {
         self.check_keys()?;
         let lights = scene.lights.len();
@@ -203,13 +205,14 @@ impl Animation<'_> {
                 _ => None,
             };
             if let Some(problem) = problem {
-                return Err(problem.of(index));
+                return Err(problem.in_track(index));
             }
         }
         Ok(())
     }
 }
 
+/// Returns the problem of an item that is not among `count` items.
 fn missing(
     number: u16,
     count: usize,

@@ -151,7 +151,10 @@ pub(crate) fn decode(bytes: &[u8], sink: &mut impl SceneSink) -> Result<Settings
         return Err(DecodeError::Length);
     }
     if header.version != VERSION {
-        return Err(DecodeError::Version(header.version));
+        return Err(DecodeError::Version {
+            found: header.version,
+            expected: VERSION,
+        });
     }
     if checksum_of(body) != u32::from_le_bytes(*checksum) {
         return Err(DecodeError::Checksum);

@@ -40,5 +40,7 @@ pub(crate) use primitive::PrimitivePart;
 pub(crate) use ray::Ray;
 pub(crate) use shadow_segment::ShadowSegment;
 pub(crate) use shape::{Shape, extend, max_exponent, validate};
+#[cfg(test)]
+pub(crate) use sphere::Sphere;
 pub(crate) use surface::{OriginSurface, SurfaceFlags};
 pub(crate) use texture::{Checker, Texture};

@@ -2,12 +2,12 @@
 #![forbid(unsafe_code)]
 //! Whitted ray tracing in fixed point, for microcontroller displays.
 //!
-//! A [`Scene`] is plain data in world units. [`SceneBuffer::prepare`] checks it
-//! and brings it to fixed point, into memory of the caller's;
-//! [`SceneBuffer::decode`] reads one that was prepared before. A [`Renderer`]
-//! then draws it line by line into any `DrawTarget`, and cannot fail but by the
-//! display's own errors. A [`Drawing`] is drawn step by step, so that other work
-//! can be done in between.
+//! The crate draws spheres, quadrics, planes and sphereflakes with reflections, refractions,
+//! shadows and checkerboards, line by line, into any [`DrawTarget`] of embedded-graphics. It is
+//! `no_std`, allocates nothing and does not panic. Preparing and tracing use integers only, so
+//! every target draws the same picture bit for bit.
+//!
+//! # Example
 //!
 //! ```
 //! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};
@@ -27,14 +27,53 @@
 //! # Ok::<(), whitted::SceneError>(())
 //! ```
 //!
-//! All that draws is 32-bit fixed point with 64-bit products: no floats, so
-//! every target draws the same bits. Nothing allocates, nothing panics, and the
-//! tree of rays is walked by a stack of constant size.
+//! # Which item for which task
 //!
-//! To read the code, follow the data: `scene` (what is written down), `prepare`
-//! (checks and scale), `camera`, `ray`, `shape`, `intersect`, `shade`, `tracer`,
-//! `raster`, `pixel`, `drawing`, `renderer`, `changes`. `num` has the formats, docs/fixed-point.md why they are
-//! so.
+//! | task | items |
+//! |---|---|
+//! | Describe a scene in a `static` | [`Scene`], [`Camera`], [`Light`], [`Material`], [`Object`], [`Shape`], [`Texture`] |
+//! | Build a scene at run time | [`scene::SceneBuilder`] |
+//! | Validate a scene and convert it to fixed point | [`SceneBuffer::prepare`], which returns a [`PreparedScene`] or a [`SceneError`] |
+//! | Load a scene compiled on a PC | [`SceneBuffer::decode`], [`scene_buffer!`] |
+//! | Draw a picture | [`Renderer::draw`] |
+//! | Draw lines by DMA | [`Renderer::render_line`] |
+//! | Draw in steps, coarse to fine, with other work in between | [`render::RenderProgress`], [`Renderer::step`] |
+//! | Smooth edges | [`render::AntialiasedRenderer`] |
+//! | Send only the changed parts of a frame | [`render::DirtyLines`] |
+//! | Choose dithering and sRGB | [`render::Output`], [`Renderer::set_output`] |
+//! | Draw a color type of one's own | [`render::DisplayColor`] |
+//! | Move the camera | [`Camera::orbited`], [`PreparedScene::set_camera`] |
+//! | Animate a scene | [`animation::Animation`], [`animation::AnimatedScene`] |
+//! | Count rays or print the ray tree | [`observer::Stats`], [`observer::Observer`] |
+//!
+//! # Memory
+//!
+//! All memory belongs to the caller, on a 32-bit core:
+//!
+//! | what | bytes |
+//! |---|---|
+//! | [`SceneBuffer`] | 146 + 12 per light for each object, 28 per light, 68 per material |
+//! | [`Renderer`] | 0.7 KB |
+//! | stack while drawing | 1.5 KB, and up to 2.7 KB more for transparent materials, more than 8 generations and sphereflakes |
+//! | [`render::AntialiasedRenderer`] | 0.9 KB, and 32 per pixel of the picture's width |
+//! | [`render::DirtyLines`] | 4 per 32 pixels |
+//! | [`animation::AnimatedScene`] | 144 per object, 72 per light |
+//!
+//! # Cargo features
+//!
+//! All features are enabled by default and additive. Disabling a feature saves flash. No feature
+//! changes a pixel of a scene that does not need it; a scene that needs a disabled feature is
+//! refused with an error that names the feature.
+//!
+//! | feature | enables |
+//! |---|---|
+//! | `quadrics` | ellipsoids, cylinders, cones and paraboloids |
+//! | `sphereflake` | sphereflakes |
+//! | `glass` | materials that transmit light |
+//! | `antialiasing` | [`render::AntialiasedRenderer`] |
+//! | `animation` | the module [`animation`] |
+//!
+//! [`DrawTarget`]: embedded_graphics_core::draw_target::DrawTarget
 
 pub mod animation;
 mod archive;
@@ -59,7 +98,7 @@ pub use scene::{
 };
 pub use scene_buffer::SceneBuffer;
 
-/// Runs the code in README.md.
+/// Compiles the code blocks of README.md as doctests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

@@ -20,4 +20,6 @@ pub(crate) use fixed::*;
 pub(crate) use product::{Product, Square};
 pub(crate) use rotation::Rotation;
 pub(crate) use tangent::tangent_of_half;
-pub(crate) use vector::{bits, direction, high, normalize, round_length, round_unit, scaled, upper_word};
+pub(crate) use vector::{
+    bits, direction, high, normalize, round_length, round_unit, scaled, upper_word,
+};

@@ -1,26 +1,36 @@
-//! Watching rays without paying for it when nobody does.
+//! Callbacks for rays, intersection tests, shadow rays and nodes of the ray tree.
+//!
+//! A renderer is generic over its [`Observer`]. The default observer `()` ignores every
+//! callback, so the compiler removes the calls.
+
+mod pair;
+mod stats;
+
+pub(crate) use pair::Pair;
+pub(crate) use stats::RayCounter;
+pub use stats::Stats;
 
 use crate::math::{Color, Factor, Radiance, Real, Weight};
 
-/// What kind of ray is traced.
+/// Kind of a ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RayKind {
-    /// From the eye through a pixel.
+    /// A camera ray: from the eye through a pixel.
     Camera,
-    /// Mirrored at a surface.
+    /// A ray that a surface reflects.
     Reflected,
-    /// Through a surface.
+    /// A ray that a surface transmits, refracted.
     Transmitted,
-    /// Between a light and a surface.
+    /// A ray between a surface and a light.
     Shadow,
 }
 
-/// What kind of surface a ray is tested against.
+/// Kind of surface that a ray is tested against.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ShapeKind {
     /// A sphere.
     Sphere,
-    /// A plane, endless or bounded.
+    /// A plane, unbounded or clipped.
     Plane,
     /// An ellipsoid.
     Ellipsoid,
@@ -30,149 +40,99 @@ pub enum ShapeKind {
     Cone,
     /// A paraboloid.
     Paraboloid,
-    /// A sphereflake.
+    /// A sphere of a sphereflake.
     Sphereflake,
 }
 
-/// Is told of every ray and every intersection test.
+/// Receives every ray and intersection test of a renderer.
 ///
-/// The methods do nothing unless overridden, and `()` overrides none, so a
-/// renderer without an observer has no code for it.
+/// All methods do nothing by default.
+///
+/// ```
+/// use embedded_graphics::prelude::*;
+/// use whitted::observer::{Observer, RayNode};
+/// use whitted::{Camera, Real, Renderer, Scene, SceneBuffer, Vec3};
+///
+/// /// Counts the rays that miss every object.
+/// #[derive(Default)]
+/// struct Misses(u32);
+///
+/// impl Observer for Misses {
+///     fn node(&mut self, node: &RayNode) {
+///         self.0 += u32::from(node.object.is_none());
+///     }
+/// }
+///
+/// let camera = Camera::new(Vec3::lit("0", "2", "8"), Vec3::lit("0", "1", "0"), Real::lit("33"));
+/// let mut buffer = SceneBuffer::<1, 1, 1>::new();
+/// let scene = buffer.prepare(&Scene::new(camera))?;
+/// let mut renderer = Renderer::with_observer(&scene, Size::new(32, 24), Misses::default());
+/// assert_eq!(renderer.line(0).count(), 32);
+/// assert_eq!(renderer.observer().0, 32);
+/// # Ok::<(), whitted::SceneError>(())
+/// ```
 pub trait Observer {
-    /// A ray is about to be traced.
-    #[inline(always)]
+    /// Called before a ray is traced.
     fn ray(&mut self, kind: RayKind) {
         let _ = kind;
     }
 
-    /// The ray that was told of last was tested against an object whose bound
-    /// it meets; `met` if the surface is in its way. Objects that it passes by
-    /// are not told of, nor is a plane of which the ray before it tells how far
-    /// it is; those looked for near and far are told of twice.
-    #[inline(always)]
+    /// Called after the current ray was tested against an object; `met` is true if the ray hits
+    /// its surface.
+    ///
+    /// Objects that the ray's bounding sphere test rejects are not reported, nor is a plane whose
+    /// distance is reused from the previous ray. An object that is tested in the near and in the
+    /// extended range is reported twice. A sphereflake reports a test for each sphere it visits.
     fn test(&mut self, shape: ShapeKind, met: bool) {
         let _ = (shape, met);
     }
 
-    /// A shadow ray from a light, by its number, reached the surface: what the
-    /// surfaces on its way left of the light, or `None` if one is opaque. There is
-    /// none where the light would not be seen. The node of that surface is told of
-    /// after all its shadow rays.
-    #[inline(always)]
-    fn shadow(&mut self, light: u16, left: Option<Color<Real>>) {
-        let _ = (light, left);
+    /// Called after a shadow ray to light number `light` was traced.
+    ///
+    /// `transmittance` is the fraction of the light that arrives, 0 to 1 per channel, or `None`
+    /// if an opaque surface occludes the light. No shadow ray is traced to a light that could not
+    /// contribute. All shadow rays of a surface come before the [`node`](Self::node) of that
+    /// surface.
+    fn shadow(&mut self, light: u16, transmittance: Option<Color<Real>>) {
+        let _ = (light, transmittance);
     }
 
-    /// A ray other than a shadow ray has met a surface, or nothing. In the
-    /// order of the tree: a node, all that follows from its reflected ray, all
-    /// that follows from its transmitted one.
-    #[inline(always)]
+    /// Called after a camera, reflected or transmitted ray has hit a surface or the background.
+    ///
+    /// Nodes arrive depth first: a node, the subtree of its reflected ray, the subtree of its
+    /// transmitted ray.
     fn node(&mut self, node: &RayNode) {
         let _ = node;
     }
 }
 
-/// A node of the tree of rays: where a ray ends.
+/// Node of the ray tree: the end of a ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RayNode {
-    /// What kind of ray led here.
+    /// Kind of the ray that ends here.
     pub kind: RayKind,
-    /// How many surfaces the light met between here and the eye: 0 for the eye ray.
+    /// Number of surfaces between this node and the eye: 0 for a camera ray.
     pub generation: u8,
-    /// The share of what is here that reaches the eye.
+    /// Fraction of the radiance of this node that reaches the eye, 0 to 1 per channel.
     pub weight: Color<Real>,
-    /// The number of the object; `None` for the background.
+    /// Number of the object; `None` for the background.
     pub object: Option<u16>,
-    /// The number of the material; `None` for the background.
+    /// Number of the material; `None` for the background.
     pub material: Option<u16>,
-    /// Whether the ray came from behind the surface.
+    /// True if the ray hit the back of the surface.
     pub inside: bool,
-    /// The color of the place itself, without what is reflected and transmitted.
+    /// Radiance of the surface without its reflected and transmitted rays.
     pub local: Color<Radiance>,
 }
 
-/// A factor as a number that users know.
+/// Converts factors to numbers of the public API, exactly.
 pub(crate) fn to_real(color: Color<Factor>) -> Color<Real> {
     color.map(Real::from_num)
 }
 
-/// The same of a weight.
+/// Converts weights to numbers of the public API, rounded so that the greatest weight becomes 1.
 pub(crate) fn weight_to_real(weight: Color<Weight>) -> Color<Real> {
-    // The last step stands for 1.
     weight.map(|weight| Real::from_bits((i64::from(weight.to_bits()) + 8) >> 4 << 4))
 }
 
 impl Observer for () {}
-
-/// Tells two observers of everything.
-pub(crate) struct Pair<'o, A, B>(pub(crate) &'o mut A, pub(crate) &'o mut B);
-
-impl<A: Observer, B: Observer> Observer for Pair<'_, A, B> {
-    #[inline(always)]
-    fn ray(&mut self, kind: RayKind) {
-        self.0.ray(kind);
-        self.1.ray(kind);
-    }
-
-    #[inline(always)]
-    fn test(&mut self, shape: ShapeKind, met: bool) {
-        self.0.test(shape, met);
-        self.1.test(shape, met);
-    }
-
-    #[inline(always)]
-    fn shadow(&mut self, light: u16, left: Option<Color<Real>>) {
-        self.0.shadow(light, left);
-        self.1.shadow(light, left);
-    }
-
-    #[inline(always)]
-    fn node(&mut self, node: &RayNode) {
-        self.0.node(node);
-        self.1.node(node);
-    }
-}
-
-/// How many rays there were, of any kind.
-#[derive(Default)]
-pub(crate) struct Rays(pub(crate) u32);
-
-impl Observer for Rays {
-    #[inline(always)]
-    fn ray(&mut self, _: RayKind) {
-        self.0 = self.0.wrapping_add(1);
-    }
-}
-
-/// Counts rays by kind, and intersection tests.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Stats {
-    /// Rays from the eye.
-    pub camera: u32,
-    /// Reflected rays.
-    pub reflected: u32,
-    /// Transmitted rays.
-    pub transmitted: u32,
-    /// Shadow rays.
-    pub shadow: u32,
-    /// Tests of a ray against an object whose bounds it meets.
-    pub intersections: u64,
-}
-
-impl Observer for Stats {
-    #[inline]
-    fn ray(&mut self, kind: RayKind) {
-        let counter = match kind {
-            RayKind::Camera => &mut self.camera,
-            RayKind::Reflected => &mut self.reflected,
-            RayKind::Transmitted => &mut self.transmitted,
-            RayKind::Shadow => &mut self.shadow,
-        };
-        *counter = counter.wrapping_add(1);
-    }
-
-    #[inline]
-    fn test(&mut self, _: ShapeKind, _: bool) {
-        self.intersections = self.intersections.wrapping_add(1);
-    }
-}

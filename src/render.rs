@@ -1,14 +1,27 @@
-//! From rays to pixels, and from pixels to a `DrawTarget`.
+//! Camera rays, scanlines, and output to a `DrawTarget`.
+//!
+//! A [`Renderer`] generates the camera rays of each scanline, culls the objects that the scanline
+//! cannot show, traces the rays and sends the pixels to the display. [`RenderProgress`] records
+//! the progress of stepwise drawing, [`AntialiasedRenderer`] smooths edges, [`DirtyLines`] skips
+//! unchanged pixels, and [`Output`] selects dithering and encoding.
 
 mod antialias;
 pub(crate) mod camera_rays;
+mod column_range;
 mod dirty_lines;
 mod display_color;
+mod fill;
 mod output;
 mod progress;
 mod renderer;
+mod row_span;
 mod scanline;
 mod scanline_culler;
+mod scanline_methods;
+mod scanline_plane;
+mod scanline_rays;
+#[cfg(test)]
+mod tests;
 
 pub use antialias::{AaSample, AntialiasError, AntialiasedRenderer, SampleCount};
 pub use dirty_lines::DirtyLines;

@@ -1,8 +1,8 @@
-//! The authored scene: what a person writes down, in world units.
+//! Authored scenes: camera, lights, materials and objects in world units.
 //!
-//! Plain data that borrows slices, so a scene can be `static` in flash. Its
-//! numbers are [`Real`]: range and precision to spare, and constants through
-//! [`Real::lit`]. Nothing here is checked; preparing a scene does that.
+//! A [`Scene`] is plain data that borrows slices, so it can be a `static` in flash. Its numbers
+//! are [`Real`] (`I32F32`), which [`Real::lit`] parses at compile time. The types of this module
+//! accept any value; [`SceneBuffer::prepare`](crate::SceneBuffer::prepare) validates them.
 
 mod builder;
 mod camera;
@@ -27,18 +27,18 @@ pub use texture::{Axis, Texture};
 
 use crate::math::{Color, Real};
 
-/// A scene to be rendered, in world units and linear colors.
+/// Scene in world units and linear colors.
 ///
-/// What preparing accepts, both ends included:
+/// [`SceneBuffer::prepare`](crate::SceneBuffer::prepare) accepts these ranges, ends included:
 ///
-/// * coordinates of points and directions, and ends of bounds: -2^24 to 2^24;
-/// * sizes, such as radii, heights, cells of a checkerboard and the smallest spheres of a
-///   sphereflake: 10^-6 to 2^24, and at least 2^-18 of half the box around all that is
-///   finite;
-/// * channels of lights, emission, ambient light and background: 0 to 256;
-/// * lists of up to 65,535 items.
+/// | value | range |
+/// |---|---|
+/// | coordinates of points, directions and clip boxes | -2^24 to 2^24 |
+/// | sizes: radii, heights, checkerboard cells, smallest spheres of a sphereflake | 10^-6 to 2^24, and at least 2^-18 of half the side of the box around all bounded objects |
+/// | channels of lights, emission, ambient light and background | 0 to 256 |
+/// | lengths of lists | 0 to 65,535 |
 ///
-/// The documentation of fields says what else holds.
+/// Narrower ranges are stated at the fields that have them.
 ///
 /// ```
 /// use whitted::{Camera, Color, Light, Material, MaterialId, Object, Real, Scene, Vec3};
@@ -53,30 +53,30 @@ use crate::math::{Color, Real};
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Scene<'a> {
-    /// Where the picture is taken from.
+    /// The camera.
     pub camera: Camera,
     /// The point lights.
     pub lights: &'a [Light],
-    /// What objects name by [`MaterialId`].
+    /// The materials, which objects refer to by [`MaterialId`].
     pub materials: &'a [Material],
-    /// What is to be seen.
+    /// The objects.
     pub objects: &'a [Object],
-    /// Ambient light `ia`, 0 to 256 a channel, which a material reflects by its `ka`.
+    /// Ambient light `ia`, 0 to 256 per channel. A material reflects `ka * ia` of it.
     pub ambient: Color<Real>,
-    /// What a ray that hits nothing brings back, 0 to 256 a channel.
+    /// Radiance of rays that hit no object.
     pub background: Background,
-    /// The highlight model of materials that name none.
+    /// Highlight model of materials whose `shading` is `None`.
     pub shading: SpecularModel,
-    /// Secondary generations of rays, 0 (plain ray casting) to 32.
+    /// Greatest number of reflections and refractions in a row, 0 (ray casting) to 32.
     pub max_depth: u8,
-    /// A branch of the ray tree ends where its weight is below this in every
-    /// channel: 0 (never) to 1.
+    /// Least weight of a secondary ray, 0 to 1. A ray is not traced if its contribution to the
+    /// pixel is below this weight in every channel.
     pub min_weight: Real,
 }
 
 impl Scene<'_> {
-    /// An empty scene: white ambient light, black background, Phong, five
-    /// generations, weights down to 1/255.
+    /// Returns an empty scene with white ambient light, a black background, Phong highlights,
+    /// `max_depth` 5 and `min_weight` 1/255.
     pub const fn new(camera: Camera) -> Self {
         Self {
             camera,
@@ -87,23 +87,23 @@ impl Scene<'_> {
             background: Background::Solid(Color::gray(Real::ZERO)),
             shading: SpecularModel::Phong,
             max_depth: 5,
-            // 1/255, rounded up.
+            // 1/255 in Q32, rounded up.
             min_weight: Real::from_bits(0x0101_0102),
         }
     }
 }
 
-/// What a ray that hits nothing brings back.
+/// Radiance of rays that hit no object. Channels are 0 to 256.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Background {
-    /// One color all around.
+    /// One color in every direction.
     Solid(Color<Real>),
-    /// A sky: `horizon` for rays that are level or fall, blended linearly in
-    /// the y component of the unit direction to `zenith` straight up.
+    /// A vertical gradient, linear in the y component of the unit direction from `horizon` at 0
+    /// to `zenith` at 1. Rays that point down get `horizon`.
     Gradient {
-        /// At the horizon and below.
+        /// Color at the horizon and below.
         horizon: Color<Real>,
-        /// Straight up.
+        /// Color straight up.
         zenith: Color<Real>,
     },
 }

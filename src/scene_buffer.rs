@@ -63,10 +63,7 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize>
     ///
     /// # Errors
     /// Names the first item that cannot be rendered, its field, and the problem.
-    pub fn prepare<'b>(
-        &'b mut self,
-        scene: &Scene<'b>,
-    ) -> Result<PreparedScene<'b>, SceneError> {
+    pub fn prepare<'b>(&'b mut self, scene: &Scene<'b>) -> Result<PreparedScene<'b>, SceneError> {
         let settings = prepare::prepare(scene, self)?;
         Ok(self.finish(settings))
     }

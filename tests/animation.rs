@@ -317,7 +317,7 @@ fn what_cannot_be_is_refused() {
     }
     assert_eq!(
         refused("3", fovy, &[late, key]).to_string(),
-        "track 0: key 1 must not be before the one above it"
+        "track 0: keyframe 1 is earlier than its predecessor"
     );
 }
 

@@ -211,7 +211,7 @@ fn too_little_memory_and_too_large_a_picture_are_errors() {
         Some(AntialiasError::TooLarge)
     );
     let said = AntialiasError::TooLittleMemory { samples: 80 }.to_string();
-    assert_eq!(said, "the memory is too small: give it 80 samples");
+    assert_eq!(said, "the memory is too small: provide 80 samples");
 }
 
 /// Fails at every line, once.

@@ -92,7 +92,10 @@ fn other_versions_and_impossible_values_are_refused() {
     let version = newer[4];
     assert_eq!(
         buffer.decode(&resealed(newer)).unwrap_err(),
-        DecodeError::Version(version)
+        DecodeError::Version {
+            found: version,
+            expected: version - 1
+        }
     );
 
     let mut far_eye = compiled("whitted");
@@ -108,10 +111,7 @@ fn other_versions_and_impossible_values_are_refused() {
 fn a_scene_that_does_not_fit_is_refused() {
     let mut buffer = SceneBuffer::<2, 4, 16>::new();
     let error = buffer.decode(&compiled("whitted")).unwrap_err();
-    assert_eq!(
-        error.to_string(),
-        "more objects than the 2 there is room for"
-    );
+    assert_eq!(error.to_string(), "too many objects: the buffer holds 2");
 }
 
 #[test]

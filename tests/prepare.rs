@@ -68,7 +68,7 @@ fn cameras() {
             look_at: CAMERA.eye,
             ..CAMERA
         }),
-        "camera: look_at must be another point than the eye"
+        "camera: look_at must differ from `eye`"
     );
     assert_eq!(
         camera_error(Camera {
@@ -82,7 +82,7 @@ fn cameras() {
             up: Vec3::lit("0", "1", "8"),
             ..CAMERA
         }),
-        "camera: up must not point along the view"
+        "camera: up must not be parallel to the line of sight"
     );
     for fovy_deg in ["0.9", "171", "-30"] {
         let camera = Camera {
@@ -204,7 +204,7 @@ fn spheres() {
     };
     assert_eq!(
         object_error(dangling),
-        "object 1: material names material 7, which is not there"
+        "object 1: material refers to material 7, but there are only 3, numbered from 0"
     );
 }
 
@@ -465,7 +465,7 @@ fn settings() {
             materials: &[Material::BLACK],
             ..scene
         }),
-        "scene: objects are more than the 1 there is room for"
+        "scene: objects exceed the buffer's capacity of 1"
     );
     let prepared_depth = |depth| {
         let mut buffer = SceneBuffer::<1, 1, 1>::new();
@@ -485,7 +485,7 @@ fn lists_that_are_too_long_to_be_numbered() {
         materials: &materials[..1],
         ..Scene::new(CAMERA)
     };
-    let refused = |list, room| format!("scene: {list} are more than the {room} there is room for");
+    let refused = |list, room| format!("scene: {list} exceed the buffer's capacity of {room}");
     for count in [65_536, 65_535] {
         // The longest that can be numbered is too long for the buffer.
         let room = if count == 65_535 { 1 } else { 65_535 };

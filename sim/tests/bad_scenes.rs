@@ -86,7 +86,6 @@ fn values() -> Result<(), Box<dyn Error>> {
 #[test]
 fn more_than_there_is_room_for() {
     let light = "[[lights]]\nposition = [0, 0, 0]\ncolor = [1, 1, 1]\n";
-    let expected =
-        "bad.toml:1: lights: are more than the 16 there is room for\n  help: leave some out";
+    let expected = "bad.toml:1: lights: exceed the buffer's capacity of 16\n  help: leave some out";
     assert_eq!(message(&light.repeat(17)), expected);
 }

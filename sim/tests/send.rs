@@ -76,10 +76,9 @@ fn a_scene_is_shown() -> Outcome {
 
 #[test]
 fn a_board_says_why_it_refuses() -> Outcome {
-    let why = "more objects than the 2 there is room for";
+    let why = "too many objects: the buffer holds 2";
     let said = send(|ticket| vec![line(Answer::Refused { ticket, why })])?;
-    let expected =
-        "error: PORT: the board refuses the scene: more objects than the 2 there is room for
+    let expected = "error: PORT: the board refuses the scene: too many objects: the buffer holds 2
   help: flash firmware of the same version as this program, or leave something out of the scene\n";
     assert_eq!(said, Err(expected.to_owned()));
     Ok(())

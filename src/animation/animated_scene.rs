@@ -4,19 +4,21 @@ use super::{Animation, AnimationError, AnimationProblem};
 use crate::math::Real;
 use crate::scene::{Light, Object, Scene};
 
-/// Room for what moves: copies of a scene's objects and lights.
+/// Buffer for the frames of an animation: copies of a scene's objects and lights.
 ///
-/// Each frame starts from the still scene, so nothing adds up, and frames may be
-/// had in any order. The frame is then prepared as any other scene; where only the
-/// camera moves, [`Animation::camera`] with
-/// [`PreparedScene::set_camera`](crate::PreparedScene::set_camera) does less.
+/// The buffer takes 144 bytes per object and 72 per light. Each frame starts from the still
+/// scene, so rounding errors do not accumulate and frames can be requested in any order. Each
+/// frame must be prepared before it is drawn. Where only the camera moves, use
+/// [`Animation::camera`] and [`PreparedScene::set_camera`](crate::PreparedScene::set_camera)
+/// instead.
 ///
-/// An object takes 144 bytes, a light 72. Three tracks and four spheres take a
-/// Cortex-M3 some 40,000 instructions to move, 30,000 to prepare, and the camera
-/// alone 4,500 to set; to draw them at 320x240 takes 73 million.
+/// On a Cortex-M3, a scene of four spheres with three tracks takes about 40,000 instructions to
+/// animate and 30,000 to prepare; setting only the camera takes 4,500. Drawing the scene at
+/// 320x240 takes 73 million.
 ///
 /// ```
-/// use whitted::*;
+/// use whitted::animation::{AnimatedScene, Animation, Interpolation, Keyframe, Target, Track};
+/// use whitted::{Camera, Color, Light, Material, MaterialId, Object, Real, Scene, SceneBuffer, Vec3};
 ///
 /// static SCENE: Scene = Scene {
 ///     lights: &[Light::point(Vec3::lit("-6", "11", "7"), Color::gray(Real::ONE))],
@@ -34,10 +36,10 @@ use crate::scene::{Light, Object, Scene};
 ///     }],
 /// };
 ///
-/// let mut stage = AnimatedScene::<1, 1>::new();
+/// let mut animated = AnimatedScene::<1, 1>::new();
 /// let mut buffer = SceneBuffer::<1, 1, 1>::new();
 /// for frame in 0..20 {
-///     let scene = stage.frame(&SCENE, &UP_AND_DOWN, Real::from(frame) / 10)?;
+///     let scene = animated.frame(&SCENE, &UP_AND_DOWN, Real::from(frame) / 10)?;
 ///     let prepared = buffer.prepare(&scene)?;
 ///     // Renderer::new(&prepared, display.size()).draw(&mut display)
 /// }
@@ -50,7 +52,7 @@ pub struct AnimatedScene<const OBJECTS: usize, const LIGHTS: usize> {
 }
 
 impl<const OBJECTS: usize, const LIGHTS: usize> AnimatedScene<OBJECTS, LIGHTS> {
-    /// An empty stage.
+    /// Returns an empty buffer.
     pub const fn new() -> Self {
         Self {
             objects: Vec::new(),
@@ -58,11 +60,11 @@ impl<const OBJECTS: usize, const LIGHTS: usize> AnimatedScene<OBJECTS, LIGHTS> {
         }
     }
 
-    /// The scene as it is at a time, in seconds.
+    /// Returns the scene at `time`, in seconds.
     ///
     /// # Errors
-    /// What is wrong with the animation, or does not fit. Values that no scene can
-    /// have are found when the frame is prepared.
+    /// An error of [`Animation::check`], or too many objects or lights for the buffer. Animated
+    /// values are validated when the frame is prepared.
     pub fn frame<'s>(
         &'s mut self,
         still: &Scene<'s>,
@@ -74,10 +76,10 @@ impl<const OBJECTS: usize, const LIGHTS: usize> AnimatedScene<OBJECTS, LIGHTS> {
         self.lights.clear();
         self.objects
             .extend_from_slice(still.objects)
-            .map_err(|_| AnimationProblem::TooManyObjects.of_all())?;
+            .map_err(|_| AnimationProblem::TooManyObjects.in_animation())?;
         self.lights
             .extend_from_slice(still.lights)
-            .map_err(|_| AnimationProblem::TooManyLights.of_all())?;
+            .map_err(|_| AnimationProblem::TooManyLights.in_animation())?;
         let mut camera = still.camera;
         animation.apply(time, &mut camera, &mut self.objects, &mut self.lights);
         Ok(Scene {
@@ -93,9 +95,8 @@ impl<const OBJECTS: usize, const LIGHTS: usize> AnimatedScene<OBJECTS, LIGHTS> {
 mod tests {
     use super::*;
 
-    /// What the documentation of [`AnimatedScene`] says.
     #[test]
-    fn items_take_as_many_bytes_as_documented() {
+    fn items_have_documented_sizes() {
         assert_eq!(size_of::<Object>(), 144);
         assert_eq!(size_of::<Light>(), 72);
     }

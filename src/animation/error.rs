@@ -1,49 +1,49 @@
 use core::fmt;
 
-/// Why an animation cannot be: which track, and what is wrong with it.
+/// Reason why an animation cannot be applied: the track and its problem.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct AnimationError {
-    /// The track, numbered from 0; `None` if the animation as a whole is meant.
+    /// Number of the track, from 0; `None` for the animation as a whole.
     pub track: Option<u16>,
-    /// What is wrong with it.
+    /// Problem of the track or the animation.
     pub problem: AnimationProblem,
 }
 
-/// What is wrong with an animation. Keys are numbered from 0.
+/// Problem of an animation. Keyframes are numbered from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum AnimationProblem {
-    /// The duration is not above 0, or beyond 2^24 seconds.
+    /// The duration is not above 0, or exceeds 2^24 seconds.
     Duration,
-    /// A track has no key.
+    /// The track has no keyframe.
     NoKeys,
-    /// A key is before the one that it follows.
+    /// The keyframe is earlier than its predecessor.
     Unsorted(u16),
-    /// More than two keys have one time.
+    /// The keyframe is the third that has its time.
     Crowded(u16),
-    /// A key is before the start or beyond the duration.
+    /// The time of the keyframe is negative or exceeds the duration.
     OutsideDuration(u16),
-    /// The scene has no object of this number.
+    /// The scene has no object with this number.
     NoSuchObject(u16),
-    /// The object of this number has no radius.
+    /// The object with this number has no radius.
     NoRadius(u16),
-    /// The scene has no light of this number.
+    /// The scene has no light with this number.
     NoSuchLight(u16),
-    /// The scene has more objects than the stage has room for.
+    /// The scene has more objects than the [`AnimatedScene`](super::AnimatedScene) holds.
     TooManyObjects,
-    /// The scene has more lights than the stage has room for.
+    /// The scene has more lights than the [`AnimatedScene`](super::AnimatedScene) holds.
     TooManyLights,
 }
 
 impl AnimationProblem {
-    pub(super) fn of(self, track: u16) -> AnimationError {
+    pub(super) fn in_track(self, track: u16) -> AnimationError {
         AnimationError {
             track: Some(track),
             problem: self,
         }
     }
 
-    pub(super) fn of_all(self) -> AnimationError {
+    pub(super) fn in_animation(self) -> AnimationError {
         AnimationError {
             track: None,
             problem: self,
@@ -63,18 +63,36 @@ impl fmt::Display for AnimationError {
 impl fmt::Display for AnimationProblem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Duration => f.write_str("the duration must be above 0, at most 16777216 seconds"),
-            Self::NoKeys => f.write_str("there must be at least one key"),
-            Self::Unsorted(key) => write!(f, "key {key} must not be before the one above it"),
-            Self::Crowded(key) => write!(f, "key {key} is the third of its time"),
-            Self::OutsideDuration(key) => {
-                write!(f, "key {key} must be from 0 to the duration")
+            Self::Duration => {
+                f.write_str("the duration must be above 0 and at most 16777216 seconds")
             }
-            Self::NoSuchObject(number) => write!(f, "moves object {number}, which is not there"),
-            Self::NoRadius(number) => write!(f, "object {number} has no radius"),
-            Self::NoSuchLight(number) => write!(f, "moves light {number}, which is not there"),
-            Self::TooManyObjects => f.write_str("more objects than the stage has room for"),
-            Self::TooManyLights => f.write_str("more lights than the stage has room for"),
+            Self::NoKeys => f.write_str("the track needs at least one keyframe"),
+            Self::Unsorted(key) => {
+                write!(f, "keyframe {key} is earlier than its predecessor")
+            }
+            Self::Crowded(key) => write!(
+                f,
+                "three keyframes share a time: remove keyframe {key}, or another of them"
+            ),
+            Self::OutsideDuration(key) => write!(
+                f,
+                "the time of keyframe {key} must be from 0 to the duration"
+            ),
+            Self::NoSuchObject(number) => {
+                write!(f, "refers to object {number}, which the scene lacks")
+            }
+            Self::NoRadius(number) => {
+                write!(f, "animates the radius of object {number}, which has none")
+            }
+            Self::NoSuchLight(number) => {
+                write!(f, "refers to light {number}, which the scene lacks")
+            }
+            Self::TooManyObjects => {
+                f.write_str("too many objects: increase `OBJECTS` of the `AnimatedScene`")
+            }
+            Self::TooManyLights => {
+                f.write_str("too many lights: increase `LIGHTS` of the `AnimatedScene`")
+            }
         }
     }
 }

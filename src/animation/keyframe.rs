@@ -1,22 +1,22 @@
-//! A value that changes from key to key.
+//! Keyframes and the interpolation between them, in `I32F32` with saturation.
 
 use super::AnimationProblem;
 use crate::math::{Real, Vec3};
 
-/// A value at a time.
+/// Value of a track at a time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Keyframe {
-    /// In seconds, from 0 to the animation's duration; not before the key before.
+    /// Time in seconds, from 0 to the animation's duration and not before the previous keyframe.
     ///
-    /// Two keys may have one time: there a value jumps, or its motion, if both have
-    /// the same value, gets a corner, as that of a ball does where it bounces.
+    /// Two keyframes may share a time. If their values differ, the value jumps. If their values
+    /// are equal, a smooth curve gets a corner, like the path of a bouncing ball.
     pub time: Real,
-    /// A point or a color; yaw and pitch in x and y; or a number in x.
+    /// Point or color; or yaw and pitch in x and y; or a number in x.
     pub value: Vec3<Real>,
 }
 
 impl Keyframe {
-    /// A point or a color at a time, from decimal literals.
+    /// Returns a keyframe for a point or a color, from decimal literals.
     pub const fn vector(time: &str, x: &str, y: &str, z: &str) -> Self {
         Self {
             time: Real::lit(time),
@@ -24,33 +24,34 @@ impl Keyframe {
         }
     }
 
-    /// The angles of an orbit at a time, in degrees, from decimal literals.
+    /// Returns a keyframe for an orbit with angles in degrees, from decimal literals.
     pub const fn angles(time: &str, yaw: &str, pitch: &str) -> Self {
         Self::vector(time, yaw, pitch, "0")
     }
 
-    /// A number at a time, from decimal literals.
+    /// Returns a keyframe for a number, from decimal literals.
     pub const fn number(time: &str, number: &str) -> Self {
         Self::vector(time, number, "0", "0")
     }
 }
 
-/// How a value gets from key to key.
+/// Interpolation between keyframes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Interpolation {
-    /// In straight lines, at a speed that changes at the keys.
+    /// Linear interpolation. The speed jumps at keyframes.
     #[default]
     Linear,
-    /// On a curve through the keys, at a speed that does not jump: a cubic
-    /// spline (Catmull and Rom 1974) that has, at each key, the slope of the parabola
-    /// through it and its neighbors (Overhauser 1968), so that times may be uneven.
+    /// Cubic spline through the keyframes with continuous speed (Catmull and Rom 1974).
     ///
-    /// Between an end and the key next to it the curve is a parabola: three keys are a
-    /// throw. The ends of a loop that are alike are neighbors.
+    /// The slope at a keyframe is that of the parabola through the keyframe and its neighbors
+    /// (Overhauser 1968), so times need not be evenly spaced. The first and last segments are
+    /// parabolas, so three keyframes describe a throw. In a repeating animation whose first and
+    /// last keyframes have equal values at times 0 and `duration`, the curve is also smooth where
+    /// it repeats.
     Smooth,
 }
 
-/// Checks the times of keys.
+/// Checks that the times of keyframes are within the duration and in order.
 pub(super) fn check(keys: &[Keyframe], duration: Real) -> Result<(), AnimationProblem> {
     if keys.is_empty() {
         return Err(AnimationProblem::NoKeys);
@@ -73,14 +74,15 @@ pub(super) fn check(keys: &[Keyframe], duration: Real) -> Result<(), AnimationPr
     Ok(())
 }
 
-/// The value at a time; zero without keys. In a loop, `period` is its duration.
+/// Returns the interpolated value at `time`, or zero without keyframes. `period` is the duration
+/// of a repeating animation.
 pub(super) fn value(
     keys: &[Keyframe],
     interpolation: Interpolation,
     period: Option<Real>,
     time: Real,
 ) -> Vec3<Real> {
-    // Of two keys at this time the second counts.
+    // If two keyframes share this time, the second one applies.
     let next = keys.partition_point(|key| key.time <= time);
     let from = next.checked_sub(1).and_then(|last| keys.get(last));
     match (from, keys.get(next)) {
@@ -88,7 +90,7 @@ pub(super) fn value(
             let segment = Segment::new(from, to);
             let part = ratio(time - from.time, segment.span);
             let moved = match interpolation {
-                Interpolation::Linear => segment.way.map(|way| way.saturating_mul(part)),
+                Interpolation::Linear => segment.change.map(|c| c.saturating_mul(part)),
                 Interpolation::Smooth => segment.smooth(neighbors(keys, next, period), part),
             };
             from.value.zip(moved, Real::saturating_add)
@@ -98,12 +100,12 @@ pub(super) fn value(
     }
 }
 
-/// From a key to the next, which is later.
+/// Interval between two consecutive keyframes of different times.
 struct Segment<'k> {
     from: &'k Keyframe,
     to: &'k Keyframe,
     span: Real,
-    way: Vec3<Real>,
+    change: Vec3<Real>,
 }
 
 impl<'k> Segment<'k> {
@@ -112,12 +114,12 @@ impl<'k> Segment<'k> {
             from,
             to,
             span: to.time - from.time,
-            way: to.value.zip(from.value, Real::saturating_sub),
+            change: to.value.zip(from.value, Real::saturating_sub),
         }
     }
 
-    /// How far a cubic has come after a part of the way, between keys before and
-    /// after.
+    /// Returns the change of the spline from the start of the segment to the fraction `part`, given
+    /// the keyframes before and after the segment.
     fn smooth(&self, [before, after]: [Option<Keyframe>; 2], part: Real) -> Vec3<Real> {
         let first = before.and_then(|before| self.slope(&Segment::new(&before, self.from)));
         let last = after.and_then(|after| self.slope(&Segment::new(self.to, &after)));
@@ -125,48 +127,49 @@ impl<'k> Segment<'k> {
             (Some(first), Some(last)) => (first, last),
             (Some(first), None) => (first, self.opposite(first)),
             (None, Some(last)) => (self.opposite(last), last),
-            (None, None) => return self.way.map(|way| way.saturating_mul(part)),
+            (None, None) => return self.change.map(|c| c.saturating_mul(part)),
         };
         let ends = first.zip(last, |first, last| (first, last));
-        self.way
-            .zip(ends, |way, (first, last)| hermite(way, first, last, part))
+        self.change.zip(ends, |change, (first, last)| {
+            hermite(change, first, last, part)
+        })
     }
 
-    /// The slope of the parabola through this segment and a neighbor where they
-    /// meet, as the way that it would lead in this segment's time; `None` at a
-    /// doubled key.
+    /// Returns the slope of the parabola through this segment and a neighbor at their common
+    /// keyframe, as the change over this segment's time; `None` if two keyframes share that time.
     fn slope(&self, neighbor: &Segment<'_>) -> Option<Vec3<Real>> {
         if neighbor.span == 0 {
             return None;
         }
         let weight = ratio(neighbor.span, neighbor.span.saturating_add(self.span));
         let stretch = ratio(self.span, neighbor.span).saturating_mul(Real::ONE - weight);
-        Some(self.way.zip(neighbor.way, |way, other| {
-            way.saturating_mul(weight)
+        Some(self.change.zip(neighbor.change, |change, other| {
+            change
+                .saturating_mul(weight)
                 .saturating_add(other.saturating_mul(stretch))
         }))
     }
 
-    /// The slope at the other end of a parabola.
+    /// Returns the slope at the other end of the segment for a parabola with `slope` at one end.
     fn opposite(&self, slope: Vec3<Real>) -> Vec3<Real> {
-        self.way.zip(slope, |way, slope| {
-            way.saturating_add(way).saturating_sub(slope)
+        self.change.zip(slope, |change, slope| {
+            change.saturating_add(change).saturating_sub(slope)
         })
     }
 }
 
-/// The keys before and after the segment that ends at key `next`.
+/// Returns the keyframes before and after the segment that ends at keyframe `next`.
 fn neighbors(keys: &[Keyframe], next: usize, period: Option<Real>) -> [Option<Keyframe>; 2] {
-    let around = period.and_then(|period| around(keys, period));
-    let [last, first] = around.unwrap_or([None, None]);
+    let wrapped = period.and_then(|period| wrapped_ends(keys, period));
+    let [last, first] = wrapped.unwrap_or([None, None]);
     let before = next.checked_sub(2).and_then(|index| keys.get(index));
     let after = keys.get(next + 1);
     [before.copied().or(last), after.copied().or(first)]
 }
 
-/// Of a loop whose ends are alike: the key before its first and the one after
-/// its last.
-fn around(keys: &[Keyframe], period: Real) -> Option<[Option<Keyframe>; 2]> {
+/// Returns the last-but-one keyframe moved to before the first, and the second keyframe moved to
+/// after the last; `None` unless the track ends as it begins, at times 0 and `period`.
+fn wrapped_ends(keys: &[Keyframe], period: Real) -> Option<[Option<Keyframe>; 2]> {
     let (first, last) = (keys.first()?, keys.last()?);
     if first.value != last.value || first.time != 0 || last.time != period {
         return None;
@@ -180,11 +183,11 @@ fn around(keys: &[Keyframe], period: Real) -> Option<[Option<Keyframe>; 2]> {
     Some([before, after])
 }
 
-/// How far a cubic has come after a part of its way, by the slopes at its ends:
-/// exact at both.
-fn hermite(way: Real, first: Real, last: Real, part: Real) -> Real {
-    // way - first and way - last vanish on a straight line.
-    let (first_bend, last_bend) = (way.saturating_sub(first), way.saturating_sub(last));
+/// Returns the change of a cubic with the total change `change` after the fraction `part`, given
+/// its slopes at both ends. Exact at both ends.
+fn hermite(change: Real, first: Real, last: Real, part: Real) -> Real {
+    // Both differences are zero on a straight line.
+    let (first_bend, last_bend) = (change.saturating_sub(first), change.saturating_sub(last));
     let square = first_bend
         .saturating_add(first_bend)
         .saturating_add(last_bend);
@@ -194,7 +197,7 @@ fn hermite(way: Real, first: Real, last: Real, part: Real) -> Real {
     bent.saturating_mul(part)
 }
 
-/// `dividend / divisor` of times, rounded down.
+/// Returns `dividend / divisor`, rounded toward zero and saturated; 0 if `divisor` is 0.
 fn ratio(dividend: Real, divisor: Real) -> Real {
     let quotient = (i128::from(dividend.to_bits()) << 32).checked_div(divisor.to_bits().into());
     Real::from_bits(quotient.unwrap_or(0).min(i64::MAX.into()) as i64)

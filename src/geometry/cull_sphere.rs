@@ -89,4 +89,3 @@ impl CullSphere {
         square - (square >> 14) - high(along.square()) <= self.radius_squared
     }
 }
-

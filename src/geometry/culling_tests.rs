@@ -73,7 +73,10 @@ fn culling_keeps_rays_that_hit_the_bounding_sphere() {
         let sight = LightCone::new(&bound, origin, 0);
         let around = around.may_hit(to_q12(origin), to_q16(direction));
         let back = origin - towards;
-        let sight = sight.may_contain(normalize_q16(back.map(Length::to_bits), back.normalized().1));
+        let sight = sight.may_contain(normalize_q16(
+            back.map(Length::to_bits),
+            back.normalized().1,
+        ));
         assert!(!meets || around, "{bound:?} {origin:?} {direction:?}");
         assert!(!meets || sight, "{bound:?} {origin:?} {direction:?}");
         met += i32::from(meets);
@@ -95,14 +98,13 @@ fn culling_keeps_rays_that_hit_a_member_of_a_group() {
             center: middle + point(random, 0.2 * spread),
             radius,
         });
-        let group = CullSphere::all(&bounds.map(|bound| CullSphere::new(&bound, 0)));
+        let group = CullSphere::around(&bounds.map(|bound| CullSphere::new(&bound, 0)));
         let origin = point(random, 3.5);
         // Aim near the middle, or just inside the far rim of a member.
         let mut towards = middle + point(random, 0.5 * spread);
         if random.bool() {
             let [one, other] = bounds.map(|bound| bound.center);
-            let Some(away) = vector::direction((one - other).map(|c| c.to_bits().into()))
-            else {
+            let Some(away) = vector::direction((one - other).map(|c| c.to_bits().into())) else {
                 continue;
             };
             towards = one + away.times(radius - (radius >> 7));

@@ -61,7 +61,11 @@ impl AuthoredShape for Authored {
     /// of the plane must be within ±2.
     fn max_exponent(&self, center: Vec3<i64>, is_alone: bool) -> i32 {
         let mut exponent = i32::MAX;
-        for (bound, center) in self.bounds().into_iter().zip([center.x, center.y, center.z]) {
+        for (bound, center) in self
+            .bounds()
+            .into_iter()
+            .zip([center.x, center.y, center.z])
+        {
             for end in bound.into_iter().flatten() {
                 exponent = exponent.min(34 - bits(end.to_bits() - center));
             }
@@ -73,11 +77,7 @@ impl AuthoredShape for Authored {
         exponent
     }
 
-    fn prepare(
-        &self,
-        normalization: &Normalization,
-        item: SceneItem,
-    ) -> Result<Plane, SceneError> {
+    fn prepare(&self, normalization: &Normalization, item: SceneItem) -> Result<Plane, SceneError> {
         let Some(normal) = direction(self.normal.map(Real::to_bits)) else {
             return limits::error(item, "normal", SceneProblem::NoDirection);
         };
@@ -263,7 +263,7 @@ impl Plane {
     /// ends of the segment must be on different sides.
     #[inline(never)]
     fn segment_crossing(&self, segment: &ShadowSegment<'_>) -> Option<Point> {
-        let (light, point) = (segment.light, segment.ray.origin);
+        let (light, point) = (*segment.light, segment.ray.origin);
         let depths = [Point::near(light), point].map(|end| self.depth(end));
         let crossing = if point.is_near() {
             Point::near(self.crossing(light, -segment.to_light, depths))
@@ -349,8 +349,8 @@ impl Primitive for Plane {
     }
 
     #[inline(always)]
-    fn normal(&self, point: Point, _: &PrimitivePart, check_bounds: bool) -> Option<Vec3<Unit>> {
-        (!check_bounds || self.covers(&point)).then_some(self.normal)
+    fn normal(&self, point: &Point, _: &PrimitivePart, check_bounds: bool) -> Option<Vec3<Unit>> {
+        (!check_bounds || self.covers(point)).then_some(self.normal)
     }
 
     #[inline(always)]
@@ -362,7 +362,7 @@ impl Primitive for Plane {
         observer: &mut impl Observer,
     ) -> Option<u8> {
         let ray = segment.ray;
-        let is_crossed = self.separates(segment.light, ray.origin, ray.direction);
+        let is_crossed = self.separates(*segment.light, ray.origin, ray.direction);
         if is_crossed && self.clip_box.is_some() {
             return None;
         }
@@ -539,7 +539,9 @@ mod tests {
             }
             worst_off_plane = worst_off_plane.max(plane.depth(Point::near(crossing)).abs());
         }
-        println!("{crossed} segments, {worst_off_way:.2} off the line, {worst_off_plane} off the plane");
+        println!(
+            "{crossed} segments, {worst_off_way:.2} off the line, {worst_off_plane} off the plane"
+        );
         assert!(crossed > 90 && worst_off_way < 2.5 && worst_off_plane <= 4);
     }
 

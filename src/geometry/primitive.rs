@@ -1,6 +1,5 @@
 //! The operations of a shape. Each file of a shape implements both traits.
 
-use crate::archive::Fields;
 use super::bounding_sphere::BoundingSphere;
 use super::extent::Extent;
 use super::normalization::Normalization;
@@ -8,6 +7,7 @@ use super::point::Point;
 use super::ray::Ray;
 use super::shadow_segment::ShadowSegment;
 use super::surface::SurfaceFlags;
+use crate::archive::Fields;
 use crate::math::{Length, SoftFloat, Unit, Vec3};
 use crate::observer::Observer;
 use crate::scene::{SceneError, SceneItem};
@@ -95,8 +95,14 @@ pub(crate) trait Primitive: Fields {
 
     /// Outward unit normal at a hit point. `None` if `check_bounds` is set and the point is
     /// outside of the shape's clip box.
-    fn normal(&self, point: Point, part: &PrimitivePart, check_bounds: bool)
+    fn normal(&self, point: &Point, part: &PrimitivePart, check_bounds: bool)
     -> Option<Vec3<Unit>>;
+
+    /// Identifies the part of a composite shape that a ray hit; 0 for other shapes.
+    fn part_id(&self, part: &PrimitivePart) -> u32 {
+        let _ = part;
+        0
+    }
 
     /// Number of crossings of a shadow segment, if it is known without a square root.
     ///

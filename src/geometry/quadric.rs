@@ -186,10 +186,9 @@ impl Primitive for Quadric {
         is_clamp_right
             && dispatch!(&self.form, form => form.is_valid())
             && valid::is_within_one(&self.center)
-            && self.clamp.is_none_or(|ends| {
-                ends.into_iter()
-                    .all(|y| valid::is_within(y, Length::ONE))
-            })
+            && self
+                .clamp
+                .is_none_or(|ends| ends.into_iter().all(|y| valid::is_within(y, Length::ONE)))
     }
 
     /// A clamped quadric is open: it encloses nothing.
@@ -245,7 +244,7 @@ impl Primitive for Quadric {
 
     /// Zero at the apex of a cone.
     #[inline(never)]
-    fn normal(&self, point: Point, _: &PrimitivePart, _: bool) -> Option<Vec3<Unit>> {
+    fn normal(&self, point: &Point, _: &PrimitivePart, _: bool) -> Option<Vec3<Unit>> {
         let offset = -point.to(self.center);
         let gradient = dispatch!(&self.form, form => form.gradient(offset, point.shift));
         Some(direction(gradient).unwrap_or_default())

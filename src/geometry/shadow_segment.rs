@@ -10,7 +10,7 @@ use crate::math::{InverseLength, Length, SoftFloat, Unit, Vec3, normalize};
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ShadowSegment<'r> {
     /// Position of the light.
-    pub(crate) light: Vec3<Length>,
+    pub(crate) light: &'r Vec3<Length>,
     /// Vector from the point to the light, in steps of the point's shift.
     pub(crate) to_light: Vec3<Length>,
     /// Reciprocal length of `to_light`.
@@ -61,7 +61,7 @@ impl ShadowSegment<'_> {
     #[inline(never)]
     pub(crate) fn to_ray(self) -> Ray {
         Ray {
-            origin: Point::near(self.light),
+            origin: Point::near(*self.light),
             direction: -self.direction_to_light(),
             leaves: OriginSurface::NONE,
         }

@@ -5,6 +5,8 @@
 
 use super::bounding_sphere::BoundingSphere;
 use super::extent::Extent;
+#[cfg(not(all(feature = "quadrics", feature = "sphereflake")))]
+use super::limits;
 use super::normalization::Normalization;
 use super::plane::{self, Plane};
 use super::point::Point;
@@ -20,7 +22,7 @@ use super::surface::SurfaceFlags;
 use crate::archive::{Archive, Fields};
 use crate::math::{Length, SoftFloat, Unit, Vec3};
 use crate::observer::Observer;
-use crate::scene::{self, SceneError, SceneItem, SceneProblem};
+use crate::scene::{self, SceneError, SceneItem};
 
 /// The prepared form of a shape.
 ///
@@ -171,7 +173,7 @@ where
 /// Checks all of an authored shape that does not depend on the scale of the scene.
 pub(crate) fn validate(shape: &scene::Shape, item: SceneItem) -> Result<(), SceneError> {
     dispatch_authored!(shape, it => it.validate(item), feature => {
-        super::limits::error(item, "shape", SceneProblem::MissingFeature(feature))
+        limits::error(item, "shape", scene::SceneProblem::MissingFeature(feature))
     })
 }
 
@@ -193,7 +195,7 @@ impl Shape {
         item: SceneItem,
     ) -> Result<Self, SceneError> {
         dispatch_authored!(shape, it => it.prepare(normalization, item).map(Self::from), feature => {
-            super::limits::error(item, "shape", SceneProblem::MissingFeature(feature))
+            limits::error(item, "shape", scene::SceneProblem::MissingFeature(feature))
         })
     }
 
@@ -256,11 +258,17 @@ impl Shape {
     #[inline(always)]
     pub(crate) fn normal(
         &self,
-        point: Point,
+        point: &Point,
         part: &PrimitivePart,
         check_bounds: bool,
     ) -> Option<Vec3<Unit>> {
         dispatch!(self, it => it.normal(point, part, check_bounds))
+    }
+
+    /// See [`Primitive::part_id`].
+    #[inline(always)]
+    pub(crate) fn part_id(&self, part: &PrimitivePart) -> u32 {
+        dispatch!(self, it => it.part_id(part))
     }
 
     /// See [`Primitive::count_crossings`].

@@ -234,7 +234,7 @@ impl Primitive for Sphere {
     }
 
     #[inline(always)]
-    fn normal(&self, point: Point, _: &PrimitivePart, _: bool) -> Option<Vec3<Unit>> {
+    fn normal(&self, point: &Point, _: &PrimitivePart, _: bool) -> Option<Vec3<Unit>> {
         Some((point.coordinates - self.center).normalized().0)
     }
 
@@ -247,7 +247,7 @@ impl Primitive for Sphere {
         observer: &mut impl Observer,
     ) -> Option<u8> {
         let direction = -segment.direction_to_light();
-        let [entry, exit] = self.crosses_before(segment.light, direction, segment.near_length());
+        let [entry, exit] = self.crosses_before(*segment.light, direction, segment.near_length());
         // From the inside of a sphere the exit is the lit point itself.
         let count = u8::from(entry) + u8::from(exit && !is_origin);
         observer.test(ShapeKind::Sphere, count > 0);
@@ -262,7 +262,7 @@ impl Primitive for Sphere {
         visit: &mut dyn FnMut(Point) -> bool,
     ) {
         let ray = segment.to_ray();
-        let Some((chord, is_outside)) = self.chord_ahead(segment.light, ray.direction) else {
+        let Some((chord, is_outside)) = self.chord_ahead(*segment.light, ray.direction) else {
             return;
         };
         let half = chord.half_outlined();

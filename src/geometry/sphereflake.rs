@@ -261,8 +261,12 @@ impl Primitive for Sphereflake {
         Some(distance)
     }
 
-    fn normal(&self, _: Point, part: &PrimitivePart, _: bool) -> Option<Vec3<Unit>> {
+    fn normal(&self, _: &Point, part: &PrimitivePart, _: bool) -> Option<Vec3<Unit>> {
         Some(part.normal)
+    }
+
+    fn part_id(&self, part: &PrimitivePart) -> u32 {
+        part.id
     }
 
     #[inline(always)]

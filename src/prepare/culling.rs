@@ -9,8 +9,8 @@ mod isolation;
 mod light_cones;
 mod occlusion;
 
-pub(crate) use groups::{GROUP, SMALL_SCENE};
 pub(super) use groups::list_objects;
+pub(crate) use groups::{GROUP, SMALL_SCENE};
 pub(super) use isolation::mark_isolated;
 pub(super) use light_cones::build_light_cones;
 pub(super) use occlusion::mark_unoccluded;

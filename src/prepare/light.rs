@@ -29,8 +29,7 @@ impl Light {
     /// Returns true if every field is in the range that tracing relies on.
     #[inline(never)]
     pub(crate) fn is_valid(&self) -> bool {
-        valid::is_within_one(&self.position)
-            && valid::are_factors([self.diffuse, self.specular])
+        valid::is_within_one(&self.position) && valid::are_factors([self.diffuse, self.specular])
     }
 }
 

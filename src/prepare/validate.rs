@@ -138,7 +138,8 @@ fn object(item: SceneItem, object: &Object, materials: usize) -> Result<(), Scen
         if usize::from(index) < materials {
             Ok(())
         } else {
-            limits::error(item, field, SceneProblem::NoSuchMaterial(index))
+            let count = materials as u16;
+            limits::error(item, field, SceneProblem::NoSuchMaterial { index, count })
         }
     };
     match object.texture {
@@ -148,7 +149,12 @@ fn object(item: SceneItem, object: &Object, materials: usize) -> Result<(), Scen
             axes: [first, second],
             materials,
         } => {
-            limits::range(item, "checker.size", size, [limits::SMALLEST, limits::FARTHEST])?;
+            limits::range(
+                item,
+                "checker.size",
+                size,
+                [limits::SMALLEST, limits::FARTHEST],
+            )?;
             if first == second {
                 return limits::error(item, "checker.axes", SceneProblem::SameAxis);
             }

@@ -1,4 +1,4 @@
-//! What of a line changed since the frame before.
+//! Detection of the parts of a line that changed since the previous frame.
 
 use core::ops::Range;
 
@@ -7,23 +7,24 @@ use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::IntoStorage;
 use embedded_graphics_core::primitives::Rectangle;
 
-/// Sends a display only what changed since the frame before: for a slow bus, or
-/// for e-paper, which need not be refreshed when nothing was sent.
+/// Sends only the segments of a line that changed since the previous frame.
 ///
-/// It remembers a hash of each [`SEGMENT`](Self::SEGMENT) of a line, in memory of
-/// the caller's: 4 bytes for 32 pixels, 9.6 KB for 320x240, where a framebuffer of
-/// `Rgb565` would take 154 KB. A change that leaves the hash as it was, one in
-/// 2^32, is missed until the segment changes again.
+/// Use it for displays on a slow bus, and for e-paper, which needs no refresh if nothing was sent.
+///
+/// The caller provides memory for a 4-byte hash per segment of 32 pixels: 9.6 KB for 320x240,
+/// where a framebuffer of `Rgb565` would take 154 KB. A change that does not change the hash, one
+/// in 2^32, is missed until the segment changes again.
 ///
 /// ```
 /// # use embedded_graphics::mock_display::MockDisplay;
 /// # use whitted::{Camera, Real, Scene, SceneBuffer, Vec3};
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
-/// use whitted::{DirtyLines, Renderer};
+/// use whitted::Renderer;
+/// use whitted::render::DirtyLines;
 ///
 /// const SIZE: Size = Size::new(64, 64);
 /// let mut hashes = [0; DirtyLines::hashes(SIZE)];
-/// let mut changes = DirtyLines::new(SIZE.width, &mut hashes);
+/// let mut dirty_lines = DirtyLines::new(SIZE.width, &mut hashes);
 /// let mut line = [Rgb565::BLACK; SIZE.width as usize];
 ///
 /// # let mut display = MockDisplay::new();
@@ -36,51 +37,50 @@ use embedded_graphics_core::primitives::Rectangle;
 /// let mut sent = 0;
 /// for y in 0..SIZE.height {
 ///     renderer.render_line(y, &mut line);
-///     sent += changes.send_line(y, &line, &mut display).unwrap();
+///     sent += dirty_lines.send_line(y, &line, &mut display).unwrap();
 /// }
 /// # assert_eq!(sent, if frame == 0 { 64 * 64 } else { 0 });
 /// # }
 /// ```
 #[derive(Debug)]
 pub struct DirtyLines<'m> {
-    /// Line by line; 0 where it is not known what the display shows.
+    /// Hashes of the segments, line by line; 0 if the content of the display is unknown.
     hashes: &'m mut [u32],
     width: u32,
 }
 
 impl<'m> DirtyLines<'m> {
-    /// How many pixels are sent or not sent together: whole bytes on every
-    /// display.
+    /// Number of pixels per segment: whole bytes in every color format.
     pub const SEGMENT: u32 = 32;
 
-    /// How many hashes a picture takes.
+    /// Returns the number of hashes for a picture of `size`.
     pub const fn hashes(size: Size) -> usize {
         size.width.div_ceil(Self::SEGMENT) as usize * size.height as usize
     }
 
-    /// For lines of `width` pixels. What the display shows is not known, so
-    /// the first frame is sent as a whole.
+    /// Returns an instance for lines of `width` pixels that will send all of the first frame.
     ///
-    /// Lines beyond those that there are hashes for are always sent as a whole.
+    /// Segments beyond the end of `hashes` are always sent.
     pub fn new(width: u32, hashes: &'m mut [u32]) -> Self {
         hashes.fill(0);
         Self { hashes, width }
     }
 
-    /// Forgets what the display shows, for example when it was reset or
-    /// something else was drawn on it: the next frame is sent as a whole.
+    /// Forgets the content of the display, so that all of the next frame is sent.
+    ///
+    /// Call it after a reset of the display, or after drawing something else on it.
     pub fn forget(&mut self) {
         self.hashes.fill(0);
     }
 
-    /// Sends what changed of line `y`, and returns how many pixels that were.
+    /// Sends the changed segments of line `y` and returns the number of pixels sent.
     ///
-    /// Neighboring segments are sent by one call of `fill_contiguous`. What is longer
-    /// than the line is left out.
+    /// Adjacent changed segments are one call of `fill_contiguous`. Pixels of `line` beyond the
+    /// width are ignored.
     ///
     /// # Errors
-    /// The display's own, at once. What the failed call should have changed counts
-    /// as not known from then on, so the line can be sent again.
+    /// The first error of the display, which ends the call. The segments of the failed call count
+    /// as unknown, so sending the line again repeats them.
     pub fn send_line<D>(
         &mut self,
         y: u32,
@@ -96,7 +96,7 @@ impl<'m> DirtyLines<'m> {
         let mut sent = 0;
         for (index, segment) in line.chunks(Self::SEGMENT as usize).enumerate() {
             let hash = hash(segment);
-            if self.known(y, index..index + 1) == [hash] {
+            if self.hashes_mut(y, index..index + 1) == [hash] {
                 continue;
             }
             if run.end != index {
@@ -104,13 +104,13 @@ impl<'m> DirtyLines<'m> {
                 run = index..index;
             }
             run.end = index + 1;
-            self.known(y, index..index + 1).fill(hash);
+            self.hashes_mut(y, index..index + 1).fill(hash);
         }
         sent += self.send_run(y, line, run, target)?;
         Ok(sent)
     }
 
-    /// Sends neighboring segments, which are known from now on, unless that fails.
+    /// Sends adjacent segments, and marks them as unknown if that fails.
     fn send_run<D>(
         &mut self,
         y: u32,
@@ -130,21 +130,21 @@ impl<'m> DirtyLines<'m> {
         let area = Rectangle::new(Point::new(start as i32, y as i32), size);
         let outcome = target.fill_contiguous(&area, pixels.iter().copied());
         if outcome.is_err() {
-            self.known(y, run).fill(0);
+            self.hashes_mut(y, run).fill(0);
         }
         outcome.map(|()| size.width)
     }
 
-    /// The hashes of some segments of a line, as far as there is memory for them.
-    fn known(&mut self, y: u32, segments: Range<usize>) -> &mut [u32] {
+    /// Returns the hashes of some segments of line `y`, as far as there is memory for them.
+    fn hashes_mut(&mut self, y: u32, segments: Range<usize>) -> &mut [u32] {
         let line = (self.width.div_ceil(Self::SEGMENT) as usize).saturating_mul(y as usize);
-        let known = self.hashes.get_mut(line..).unwrap_or_default();
-        let end = segments.end.min(known.len());
-        known.get_mut(segments.start..end).unwrap_or_default()
+        let line = self.hashes.get_mut(line..).unwrap_or_default();
+        let end = segments.end.min(line.len());
+        line.get_mut(segments.start..end).unwrap_or_default()
     }
 }
 
-/// MurmurHash3 (Appleby 2011) of colors as words, and never 0.
+/// Returns the MurmurHash3 (Appleby 2011) of colors as 32-bit words, or 1 if it is 0.
 fn hash<C: Copy + IntoStorage<Storage: Into<u32>>>(colors: &[C]) -> u32 {
     let mut hash = 0_u32;
     for color in colors {

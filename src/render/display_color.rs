@@ -1,4 +1,4 @@
-//! From linear radiance to the colors of displays.
+//! Conversion of linear radiance to display colors.
 
 use embedded_graphics_core::geometry::Point;
 use embedded_graphics_core::pixelcolor::{
@@ -9,26 +9,26 @@ use embedded_graphics_core::pixelcolor::{
 use crate::math::{Color, Radiance};
 use crate::render::Output;
 
-/// A color that linear radiance can be shown in.
+/// Color type of a display.
 ///
-/// Channels are clipped to 0..=1. Gray is the luminance of ITU-R BT.709, and a
-/// binary pixel is on for the level 1 of 0 and 1.
+/// The RGB, BGR, gray and binary colors of embedded-graphics implement this trait: channels are
+/// clipped to 0..=1, gray is the luminance of ITU-R BT.709, and a binary pixel is on if its
+/// dithered luminance rounds to 1. `Color<u16>` is linear, whatever the output.
 pub trait DisplayColor: Copy {
-    /// The color for the pixel `at` this place of the display.
+    /// Converts a linear color for the pixel `at` this position of the display.
     fn from_radiance(color: Color<Radiance>, at: Point, output: Output) -> Self;
 }
 
-/// Luminance by ITU-R BT.709, not clipped: 0.2126 R + 0.7152 G + 0.0722 B.
+/// Returns the luminance of ITU-R BT.709, 0.2126 R + 0.7152 G + 0.0722 B, without clipping.
 #[inline(always)]
 fn luminance(color: Color<Radiance>) -> Radiance {
-    // In 2^-16; they add up to 1.
+    // The weights are in Q16 and add up to 1.
     let weighted = |value: Radiance, weight: u64| u64::from(value.to_bits()) * weight;
     let sum = weighted(color.r, 13_933) + weighted(color.g, 46_871) + weighted(color.b, 4_732);
     Radiance::from_bits((sum >> 16) as u32)
 }
 
-/// Linear, 16 bits a channel, rounded, whatever the output: what checksums and
-/// 16-bit images are made of.
+/// Linear color of 16 bits per channel, rounded to nearest. Checksums and 16-bit images use it.
 impl DisplayColor for Color<u16> {
     #[inline]
     fn from_radiance(color: Color<Radiance>, _: Point, _: Output) -> Self {
@@ -39,12 +39,13 @@ impl DisplayColor for Color<u16> {
     }
 }
 
-/// From light to one of the levels 0 to `MAX`, for one pixel.
+/// Returns a function that converts a channel of the pixel `at` to a level from 0 to its second
+/// argument.
 #[inline(always)]
 fn levels(at: Point, output: Output, is_coarse: bool) -> impl Fn(Radiance, u8) -> u8 {
     let threshold = output.dither.threshold(at.x, at.y, is_coarse);
     move |light, max| {
-        // Q16 * max + Q16
+        // Q16 levels, rounded by the threshold.
         ((output.transfer.encode(light) * u32::from(max) + threshold) >> 16) as u8
     }
 }
@@ -109,7 +110,7 @@ mod tests {
     }
 
     #[test]
-    fn levels_are_rounded_and_clipped() {
+    fn rounds_and_clips_levels() {
         let half_level = Radiance::ONE / 62;
         let little = Radiance::from_bits(1 << 15);
         assert_eq!(nearest::<Rgb565>(Radiance::MAX), Rgb565::WHITE);
@@ -122,14 +123,14 @@ mod tests {
         assert_eq!(nearest::<Color<u16>>(Radiance::ONE).g, 0xffff);
     }
 
-    /// The pixels of a tile, in any color.
+    /// Returns the pixels of a dithered tile of one gray.
     fn tile<P: DisplayColor>(value: Radiance) -> impl Iterator<Item = P> {
         let places = (0..64).map(|i| Point::new(i % 8 - 4, i / 8));
         places.map(move |at| P::from_radiance(gray(value), at, Output::default()))
     }
 
     #[test]
-    fn a_tile_has_as_many_pixels_of_a_level_as_the_value_is_near_it() {
+    fn mean_of_dithered_tile_equals_value() {
         for share in 0..=64 {
             let value = Radiance::ONE / 64 * share;
             let lit = tile::<BinaryColor>(value).filter(|it| it.is_on()).count();
@@ -140,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn colors_of_8_bits_are_not_dithered() {
+    fn does_not_dither_8_bit_channels() {
         let value = Radiance::ONE / 1000 * 123;
         assert!(tile::<Rgb888>(value).all(|it| it == nearest(value)));
         assert!(tile::<Gray8>(value).all(|it| it == nearest(value)));
@@ -149,7 +150,7 @@ mod tests {
     }
 
     #[test]
-    fn channels_keep_their_places() {
+    fn keeps_order_of_channels() {
         let red = Color::new(Radiance::ONE, Radiance::ZERO, Radiance::ZERO);
         fn shown<P: DisplayColor>(color: Color<Radiance>) -> P {
             P::from_radiance(color, Point::new(3, 5), Output::default())

@@ -1,4 +1,4 @@
-//! How linear light is shown in the levels of a display.
+//! Conversion of linear radiance to the levels of a display.
 
 mod dither;
 mod transfer;
@@ -6,9 +6,9 @@ mod transfer;
 pub use dither::Dither;
 pub use transfer::Transfer;
 
-/// How a picture is shown on a display.
+/// Conversion of linear radiance to the levels of a display.
 ///
-/// The default shows linear values as they are, and dithers where levels are few.
+/// The default keeps values linear and dithers channels of fewer than 8 bits.
 ///
 /// ```
 /// use whitted::render::{Output, Transfer};
@@ -17,8 +17,8 @@ pub use transfer::Transfer;
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Output {
-    /// From linear light to the values of the display.
+    /// Transfer function from linear radiance to display values.
     pub transfer: Transfer,
-    /// What becomes of values between two levels.
+    /// Dithering of values between two levels.
     pub dither: Dither,
 }

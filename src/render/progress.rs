@@ -1,27 +1,27 @@
-//! How far a picture is drawn, and in which order.
+//! Resumable progress of drawing a picture.
 //!
-//! A picture is drawn in passes, and a pass has rows of blocks: squares in the
-//! color of the pixel at their top left. The first pass has blocks in a dense grid;
-//! each pass after it halves them, and traces the three of four that have no
-//! pixel yet. Scanlines are a picture whose first blocks are single pixels.
+//! A picture is drawn in passes. A pass consists of rows of blocks: squares in the color of their
+//! top left pixel. The first pass covers the picture with blocks. Each later pass halves the side
+//! of the blocks and traces the three of four whose top left pixel has not been traced yet.
+//! Scanline order is the special case whose first blocks are single pixels.
 
-use embedded_graphics_core::geometry::{Point, Size};
+use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::primitives::Rectangle;
 
-use crate::render::camera_rays::{ColumnRange, MAX_SIDE};
+use crate::render::camera_rays::MAX_SIDE;
+use crate::render::column_range::ColumnRange;
+use crate::render::row_span::RowSpan;
 
-/// The side of the first blocks in progressive order.
+/// Side of the first blocks in progressive order.
 const COARSEST: u8 = 16;
 
-/// How far a picture, or an area of it, is drawn: what
-/// [`Renderer::step`](crate::Renderer::step) goes on from.
+/// Progress of drawing a picture, or an area of it, by [`Renderer::step`](crate::Renderer::step).
 ///
-/// It is plain data of 14 bytes that knows neither the renderer nor the display.
-/// Between steps it can be kept, moved, copied or dropped, with or without the
-/// renderer; whoever has a copy goes on from there. It belongs to one picture: the
-/// same scene, size and display.
+/// A `RenderProgress` is 14 bytes of plain data without references to the renderer or the
+/// display. It can be stored, copied or dropped between steps, and a copy resumes from the same
+/// place. All steps must use the same scene, picture size and display.
 ///
-/// Whatever else is to be done is done between steps. On a microcontroller:
+/// This microcontroller loop feeds a watchdog and reads a button between steps:
 ///
 /// ```
 /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};
@@ -37,68 +37,65 @@ const COARSEST: u8 = 16;
 /// # let scene = Scene::new(Camera::new(Vec3::lit("0", "2", "8"), Vec3::lit("0", "1", "0"), Real::lit("33")));
 /// # let mut buffer = SceneBuffer::<1, 1, 1>::new();
 /// # let scene = buffer.prepare(&scene).unwrap();
-/// use whitted::{RenderProgress, Renderer};
-/// use whitted::render::Step;
+/// use whitted::Renderer;
+/// use whitted::render::{RenderProgress, Step};
 ///
 /// let mut renderer = Renderer::new(&scene, display.size());
-/// let mut drawing = RenderProgress::progressive(display.bounding_box());
-/// while !drawing.is_complete() {
-///     // So many rays take about 10 ms on a Cortex-M0+ at 133 MHz.
-///     renderer.step(&mut drawing, Step::Rays(800), &mut display).unwrap();
+/// let mut progress = RenderProgress::progressive(display.bounding_box());
+/// while !progress.is_complete() {
+///     // 800 rays take about 10 ms on a Cortex-M0+ at 133 MHz.
+///     renderer.step(&mut progress, Step::Rays(800), &mut display).unwrap();
 ///     watchdog.feed();
 ///     if button.is_pressed() {
-///         break; // and draw something else
+///         break;
 ///     }
 /// }
-/// # assert!(drawing.is_complete() && watchdog.0 == 6);
+/// # assert!(progress.is_complete() && watchdog.0 == 6);
 /// ```
 ///
-/// A part of a picture is drawn again by a drawing of that area, in whichever
-/// order: `RenderProgress::scanlines(area)`.
+/// To redraw a part of a picture, start a new `RenderProgress` with the area of that part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RenderProgress {
     left: u16,
     top: u16,
     right: u16,
     bottom: u16,
-    /// The next block.
+    /// Top left pixel of the next block.
     x: u16,
     y: u16,
-    /// The side of the blocks of the first pass: a power of two.
+    /// Side of the blocks of the first pass: a power of two.
     coarsest: u8,
-    /// That of this pass; 0 when there is no more.
+    /// Side of the blocks of the current pass; 0 if the picture is complete.
     block: u8,
 }
 
-/// How far [`Renderer::step`](crate::Renderer::step) goes.
+/// Amount of work of a call of [`Renderer::step`](crate::Renderer::step).
 ///
-/// Each step ends with the picture at the latest.
+/// A step also ends when the picture is complete.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Step {
-    /// To the end of the line: of a line of pixels, or of a row of blocks.
+    /// Draws the rest of the current line of pixels or row of blocks.
     Line,
-    /// To the end of the pass: all blocks of a size. Scanlines have one pass.
+    /// Draws the rest of the current pass. Scanline order has a single pass.
     Pass,
-    /// Until so many rays are traced, shadow rays included, and then to the end
-    /// of the pixel, which has at most 4096 rays that are not shadow rays.
-    /// `Rays(0)` does nothing.
+    /// Draws until this many rays are traced, shadow rays included, and finishes the current
+    /// pixel, which takes at most 4096 rays plus their shadow rays. `Rays(0)` does nothing.
     Rays(u32),
 }
 
 impl RenderProgress {
-    /// A drawing of an area line by line, from the top; nothing is drawn yet.
+    /// Starts to draw an area line by line, from top to bottom.
     ///
-    /// What of the area is outside of the picture is left out.
+    /// The area is clipped to the picture.
     pub fn scanlines(area: Rectangle) -> Self {
         Self::new(area, 1)
     }
 
-    /// A drawing of an area in five passes: in blocks of 16 pixels a side, then
-    /// of 8, 4, 2, and 1. After the first, which is 1/256 of the work, there is
-    /// something everywhere.
+    /// Starts to draw an area in five passes with blocks of 16, 8, 4, 2 and 1 pixels a side.
     ///
-    /// Each pixel is traced once. All passes together send a display four times
-    /// as many pixels as scanlines do.
+    /// The first pass covers the whole area for 1/256 of the work. Each pixel is traced once. All
+    /// passes together send four times as many pixels to the display as scanline order. The area
+    /// is clipped to the picture.
     pub fn progressive(area: Rectangle) -> Self {
         Self::new(area, COARSEST)
     }
@@ -120,17 +117,17 @@ impl RenderProgress {
         }
     }
 
-    /// Whether all is drawn.
+    /// Returns true if the whole area is drawn.
     pub fn is_complete(&self) -> bool {
         self.block == 0
     }
 
-    /// The side of the blocks that are next, in pixels; 0 if all is drawn.
+    /// Returns the side of the blocks of the current pass in pixels, or 0 if the area is complete.
     pub fn block(&self) -> u32 {
         self.block.into()
     }
 
-    /// What is next in a picture of `size`.
+    /// Returns the rest of the current row, in a picture of `size`; `None` if the area is complete.
     pub(crate) fn row(&mut self, size: Size) -> Option<RowSpan> {
         self.settle(size);
         let (right, bottom) = self.ends(size);
@@ -146,21 +143,21 @@ impl RenderProgress {
         })
     }
 
-    /// Goes on by so many pixels of the row.
+    /// Advances by `pixels` traced pixels of the current row.
     pub(crate) fn advance(&mut self, pixels: u32, size: Size) {
-        let way = pixels.saturating_mul(self.stride().into());
-        let way = u16::try_from(way).unwrap_or(u16::MAX);
-        self.x = self.x.saturating_add(way);
+        let columns = pixels.saturating_mul(self.stride().into());
+        let columns = u16::try_from(columns).unwrap_or(u16::MAX);
+        self.x = self.x.saturating_add(columns);
         self.settle(size);
     }
 
-    /// Goes on to the next row.
+    /// Advances to the next row.
     pub(crate) fn finish_row(&mut self, size: Size) {
         self.x = self.right;
         self.settle(size);
     }
 
-    /// Goes on to where there is a pixel to be traced.
+    /// Moves to the next row or pass if the current one is complete.
     fn settle(&mut self, size: Size) {
         let (right, bottom) = self.ends(size);
         if self.left >= right {
@@ -175,28 +172,25 @@ impl RenderProgress {
             } else {
                 return;
             }
-            // An earlier pass has the first pixel of a row, unless all are new.
-            let done = if self.is_new_row() { 0 } else { self.block };
-            self.x = self.left.saturating_add(done.into());
+            // An earlier pass has traced the first pixel of every other row.
+            let traced = if self.is_new_row() { 0 } else { self.block };
+            self.x = self.left.saturating_add(traced.into());
         }
     }
 
-    /// Right and bottom, of what is inside of the picture.
+    /// Returns the right and bottom ends of the area, clipped to the picture.
     fn ends(&self, size: Size) -> (u16, u16) {
-        let least = |end: u16, side: u32| u32::from(end).min(side) as u16;
-        (
-            least(self.right, size.width),
-            least(self.bottom, size.height),
-        )
+        let clip = |end: u16, side: u32| u32::from(end).min(side) as u16;
+        (clip(self.right, size.width), clip(self.bottom, size.height))
     }
 
-    /// Whether no earlier pass has a pixel of this row: it has those of each
-    /// second row.
+    /// Returns true if no earlier pass has traced pixels of the current row. After the first pass,
+    /// that holds for every other row.
     fn is_new_row(&self) -> bool {
         self.block == self.coarsest || (self.y - self.top) & u16::from(self.block) != 0
     }
 
-    /// From one pixel that is traced in this row to the next.
+    /// Returns the distance between pixels that are traced in the current row.
     fn stride(&self) -> u16 {
         let stride = u16::from(self.block);
         if self.is_new_row() {
@@ -207,55 +201,12 @@ impl RenderProgress {
     }
 }
 
-/// The rest of a row of blocks, in the picture.
-pub(crate) struct RowSpan {
-    pub(crate) y: u32,
-    /// Of the pixels that are to be traced.
-    pub(crate) columns: ColumnRange,
-    pub(crate) block: u8,
-    bottom: u32,
-}
-
-impl RowSpan {
-    /// A line of pixels.
-    pub(crate) fn line(y: u32, columns: ColumnRange) -> Self {
-        Self {
-            y,
-            columns,
-            block: 1,
-            bottom: y.saturating_add(1),
-        }
-    }
-
-    /// Whether each pixel from the next to the end is to be traced.
-    pub(crate) fn is_whole(&self) -> bool {
-        self.columns.spacing == 0
-    }
-
-    /// Where its pixels are, if they are not of blocks.
-    pub(crate) fn area(&self) -> Rectangle {
-        let ColumnRange { from, to, .. } = self.columns;
-        Rectangle::new(self.point(from), Size::new(to - from, 1))
-    }
-
-    /// The block whose top left pixel is in this column, up to the area's ends.
-    pub(crate) fn block_at(&self, x: u32) -> Rectangle {
-        let within = |start: u32, end: u32| u32::from(self.block).min(end.saturating_sub(start));
-        let size = Size::new(within(x, self.columns.to), within(self.y, self.bottom));
-        Rectangle::new(self.point(x), size)
-    }
-
-    pub(crate) fn point(&self, x: u32) -> Point {
-        Point::new(x as i32, self.y as i32)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn a_drawing_takes_as_many_bytes_as_documented() {
+    fn has_documented_size() {
         assert_eq!(size_of::<RenderProgress>(), 14);
     }
 }

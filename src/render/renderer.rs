@@ -1,23 +1,28 @@
-//! Scanlines of a scene, and what is drawn of them on a display.
+//! Renderer with one camera ray per pixel.
 
-pub(super) mod draw;
+mod step;
 
+use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Point, Size};
+use embedded_graphics_core::primitives::Rectangle;
 
 use crate::math::{Color, Radiance};
 use crate::observer::Observer;
 use crate::prepare::PreparedScene;
 use crate::render::camera_rays::CameraRays;
+use crate::render::progress::{RenderProgress, Step};
 use crate::render::scanline::{PixelIter, ScanlineTracer};
+use crate::render::scanline_methods::scanline_methods;
 use crate::render::{DisplayColor, Output};
 
-/// Draws a scene line by line, each pixel once, without a framebuffer; or step by
-/// step, in other orders too: [`step`](Self::step).
+/// Draws a scene with one camera ray per pixel and without a framebuffer.
 ///
-/// It takes 0.7 KB, as it holds which objects a line may show. Drawing takes some 1.5 KB
-/// of stack, 0.4 KB more where something lets light through, as rays may then have to wait
-/// for others, another 1.4 KB for more than 8 generations, and 0.9 KB for a sphereflake.
-/// The picture's aspect follows its size.
+/// [`draw`](Self::draw) draws the whole picture line by line; [`step`](Self::step) draws it in
+/// steps, optionally from coarse to fine. The aspect ratio follows the size of the picture.
+///
+/// A renderer takes 0.7 KB, mainly the list of objects that a line may show. Drawing takes about
+/// 1.5 KB of stack, plus 0.4 KB if a material transmits light, plus 1.4 KB for more than 8
+/// generations of rays, plus 0.9 KB for a sphereflake.
 ///
 /// ```
 /// use embedded_graphics::mock_display::MockDisplay;
@@ -35,76 +40,55 @@ use crate::render::{DisplayColor, Output};
 /// ```
 #[derive(Clone, Debug)]
 pub struct Renderer<'s, O: Observer = ()> {
-    view: CameraRays,
-    raster: ScanlineTracer<'s>,
+    rays: CameraRays,
+    tracer: ScanlineTracer<'s>,
     output: Output,
     observer: O,
 }
 
 impl<'s> Renderer<'s> {
-    /// A renderer of a picture of `size` pixels, at most 65535 a side.
+    /// Returns a renderer for a picture of `size` pixels, clamped to 65535 per side.
     pub fn new(scene: &'s PreparedScene<'s>, size: Size) -> Self {
         Self::with_observer(scene, size, ())
     }
 }
 
 impl<'s, O: Observer> Renderer<'s, O> {
-    /// A renderer that tells an observer of every ray.
+    /// Returns a renderer that reports every ray to `observer`.
     pub fn with_observer(scene: &'s PreparedScene<'s>, size: Size, observer: O) -> Self {
         Self {
-            view: CameraRays::new(&scene.settings.camera, size.width, size.height),
-            raster: ScanlineTracer::new(scene),
+            rays: CameraRays::new(&scene.settings.camera, size.width, size.height),
+            tracer: ScanlineTracer::new(scene),
             output: Output::default(),
             observer,
         }
     }
 
-    /// What the observer has seen so far.
-    pub fn observer(&self) -> &O {
-        &self.observer
-    }
+    scanline_methods!();
 
-    /// How the picture is shown on the display.
-    pub fn output(&self) -> Output {
-        self.output
-    }
-
-    /// Shows what is drawn from now on in another way.
-    pub fn set_output(&mut self, output: Output) {
-        self.output = output;
-    }
-
-    /// The size of the picture.
-    pub fn size(&self) -> Size {
-        Size::new(self.view.width, self.view.height)
-    }
-
-    /// The linear colors of line `y`, traced one by one as they are asked
-    /// for. A line outside of the picture is empty.
-    pub fn line(&mut self, y: u32) -> impl Iterator<Item = Color<Radiance>> {
-        self.pixels(y).map(|(_, color)| color)
-    }
-
-    /// The linear color of a single pixel, the same as in its line; black
-    /// outside of the picture.
+    /// Returns the linear color of a pixel, which equals that of [`line`](Self::line); black
+    /// outside the picture.
     pub fn pixel(&mut self, x: u32, y: u32) -> Color<Radiance> {
-        self.raster.pixel(&self.view, x, y, &mut self.observer)
+        self.tracer.pixel(&self.rays, x, y, &mut self.observer)
     }
 
-    /// Traces line `y` into a slice, for example to send it by DMA while the
-    /// next is traced. What is longer than the line is left as it is.
-    pub fn render_line<P: DisplayColor>(&mut self, y: u32, line: &mut [P]) {
-        let output = self.output;
-        for (pixel, (x, color)) in line.iter_mut().zip(self.pixels(y)) {
-            *pixel = P::from_radiance(color, Point::new(x as i32, y as i32), output);
-        }
+    /// Draws the whole picture, from top to bottom.
+    ///
+    /// # Errors
+    /// The first error of the display, which ends drawing.
+    pub fn draw<D>(&mut self, target: &mut D) -> Result<(), D::Error>
+    where
+        D: DrawTarget<Color: DisplayColor>,
+    {
+        let area = Rectangle::new(Point::zero(), self.size());
+        self.step(&mut RenderProgress::scanlines(area), Step::Pass, target)
     }
 
-    /// The pixels of line `y`, with their columns.
-    fn pixels(&mut self, y: u32) -> PixelIter<'_, O> {
-        let columns = self.view.columns();
-        self.raster
-            .pixels(&self.view, y, columns, &mut self.observer)
+    /// Traces line `y`, pixel by pixel as the iterator advances.
+    fn pixels(&mut self, y: u32) -> PixelIter<'_, 's, O> {
+        let columns = self.rays.columns();
+        self.tracer
+            .pixels(&self.rays, y, columns, &mut self.observer)
     }
 }
 
@@ -112,9 +96,9 @@ impl<'s, O: Observer> Renderer<'s, O> {
 mod tests {
     use super::*;
 
-    /// What the documentation of [`Renderer`] says; less where pointers are short.
+    /// The limit holds on 64-bit hosts; a 32-bit core needs less.
     #[test]
-    fn a_renderer_takes_as_many_bytes_as_documented() {
+    fn has_documented_size() {
         let size = size_of::<Renderer<'_>>();
         assert!(size <= 700, "{size}");
     }

@@ -1,19 +1,21 @@
-//! Lines of pixels, traced one by one as they are asked for.
+//! Scanlines whose pixels are traced lazily.
 
+use crate::geometry::PrimitivePart;
 use crate::math::{Color, Radiance};
 use crate::observer::Observer;
 use crate::prepare::PreparedScene;
-use crate::render::camera_rays::{CameraRays, ColumnRange, ScanlineRays};
+use crate::render::camera_rays::CameraRays;
+use crate::render::column_range::ColumnRange;
 use crate::render::scanline_culler::ScanlineCuller;
-use crate::geometry::PrimitivePart;
+use crate::render::scanline_rays::ScanlineRays;
 use crate::trace::Tracer;
 
-/// A scene, and what tracing the pixels of views of it takes.
+/// Traces scanlines of a scene.
 #[derive(Clone, Debug)]
 pub(crate) struct ScanlineTracer<'s> {
     scene: &'s PreparedScene<'s>,
     part: PrimitivePart,
-    coverage: ScanlineCuller,
+    culler: ScanlineCuller,
 }
 
 impl<'s> ScanlineTracer<'s> {
@@ -21,26 +23,25 @@ impl<'s> ScanlineTracer<'s> {
         Self {
             scene,
             part: PrimitivePart::default(),
-            coverage: ScanlineCuller::default(),
+            culler: ScanlineCuller::default(),
         }
     }
 
-    /// The pixels of some columns of a view's line `y`, with their columns. A
-    /// line outside of the view is empty.
+    /// Returns an iterator that traces some columns of line `y`; empty outside the picture.
     #[inline(never)]
     pub(crate) fn pixels<'r, O: Observer>(
         &'r mut self,
-        view: &CameraRays,
+        rays: &CameraRays,
         y: u32,
         columns: ColumnRange,
         observer: &'r mut O,
     ) -> PixelIter<'r, 's, O> {
-        self.coverage.look(self.scene, view, y);
+        self.culler.set_row(self.scene, rays, y);
         PixelIter {
-            directions: view.line(y).through(columns),
+            directions: rays.line(y).through(columns),
             x: columns.from,
             spacing: columns.spacing,
-            coverage: &mut self.coverage,
+            culler: &mut self.culler,
             tracer: Tracer {
                 scene: self.scene,
                 part: &mut self.part,
@@ -49,10 +50,10 @@ impl<'s> ScanlineTracer<'s> {
         }
     }
 
-    /// A single pixel of a view; black outside of it.
+    /// Traces a single pixel; returns black outside the picture.
     pub(crate) fn pixel(
         &mut self,
-        view: &CameraRays,
+        rays: &CameraRays,
         x: u32,
         y: u32,
         observer: &mut impl Observer,
@@ -62,27 +63,27 @@ impl<'s> ScanlineTracer<'s> {
             to: x.saturating_add(1),
             spacing: 0,
         };
-        let mut pixels = self.pixels(view, y, columns, observer);
+        let mut pixels = self.pixels(rays, y, columns, observer);
         pixels
             .next()
             .map_or(Color::<Radiance>::BLACK, |(_, color)| color)
     }
 }
 
-/// Pixels of a line as they are traced.
+/// Iterator that traces the pixels of a scanline and returns their columns and colors.
 pub(crate) struct PixelIter<'r, 's, O> {
     directions: ScanlineRays,
     x: u32,
     spacing: u8,
-    coverage: &'r mut ScanlineCuller,
+    culler: &'r mut ScanlineCuller,
     pub(crate) tracer: Tracer<'r, 's, O>,
 }
 
 impl<O> PixelIter<'_, '_, O> {
-    /// Passes over the pixels before column `x`.
-    pub(crate) fn pass_to(&mut self, x: u32) {
+    /// Skips the pixels before column `x`.
+    pub(crate) fn skip_to(&mut self, x: u32) {
         let count = x.saturating_sub(self.x) >> self.spacing;
-        self.directions.pass(count);
+        self.directions.skip_rays(count);
         self.x += count << self.spacing;
     }
 }
@@ -95,7 +96,7 @@ impl<O: Observer> Iterator for PixelIter<'_, '_, O> {
         let direction = self.directions.next()?;
         let x = self.x;
         self.x += 1 << self.spacing;
-        let candidates = self.coverage.at(x);
+        let candidates = self.culler.at_column(x);
         let color = self.tracer.trace_camera_ray(direction, candidates);
         Some((x, color))
     }

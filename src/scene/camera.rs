@@ -1,20 +1,21 @@
 use crate::math::{Real, Rotation, Unit, Vec3, direction};
 
-/// A pinhole camera.
+/// Pinhole camera.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Camera {
-    /// The eye point.
+    /// Position of the pinhole.
     pub eye: Vec3<Real>,
-    /// What is in the middle of the picture. Only its direction from the eye counts.
+    /// Point in the center of the picture. Its distance from the eye does not matter.
     pub look_at: Vec3<Real>,
-    /// A direction that points up in the picture.
+    /// Direction that points up in the picture, of any length and not parallel to the line of
+    /// sight.
     pub up: Vec3<Real>,
     /// Vertical field of view in degrees, 1 to 170.
     pub fovy_deg: Real,
 }
 
 impl Camera {
-    /// A camera that is held upright: `up` is +y.
+    /// Returns an upright camera: `up` is +y.
     pub const fn new(eye: Vec3<Real>, look_at: Vec3<Real>, fovy_deg: Real) -> Self {
         Self {
             eye,
@@ -24,14 +25,14 @@ impl Camera {
         }
     }
 
-    /// The camera with its eye moved around `look_at`, by angles in degrees:
-    /// `yaw_deg` to its right, around `up`; `pitch_deg` up, to 1 degree short of
-    /// straight above or below.
+    /// Returns the camera with its eye moved on a sphere around `look_at`.
     ///
-    /// Angles are exact at multiples of 90 degrees, else to 0.11 degrees; the
-    /// distance from `look_at` is kept to 2^-28 of itself, so it does no harm
-    /// to orbit from where the last orbit led. An eye straight above or below
-    /// stays there.
+    /// `yaw_deg` moves the eye to its right around `up`, `pitch_deg` moves it up, both in
+    /// degrees. Pitch stops 1 degree short of straight above or below `look_at`.
+    ///
+    /// Angles are exact at multiples of 90 degrees and within 0.11 degrees elsewhere. The
+    /// distance from `look_at` changes by at most a factor of 1 ± 2^-28, so repeated orbits do
+    /// not drift visibly. An eye straight above or below `look_at` does not move.
     ///
     /// ```
     /// use whitted::{Camera, Real, Vec3};
@@ -40,33 +41,32 @@ impl Camera {
     /// let from_the_right = camera.orbited(Real::lit("90"), Real::ZERO);
     /// assert_eq!(from_the_right.eye, Vec3::lit("8", "1", "0"));
     /// ```
-    #[inline(never)]
     pub fn orbited(self, yaw_deg: Real, pitch_deg: Real) -> Self {
-        let way = self.eye.zip(self.look_at, Real::saturating_sub);
+        let offset = self.eye.zip(self.look_at, Real::saturating_sub);
         let up = direction(self.up.map(Real::to_bits));
-        let view = direction(way.map(Real::to_bits));
+        let view = direction(offset.map(Real::to_bits));
         let (Some(up), Some(view)) = (up, view) else {
             return self;
         };
-        // To the left as seen from the eye: around it, the eye rises.
+        // Points left as seen from the eye, so a positive rotation around it raises the eye.
         let Some(level) = direction(view.cross(up)) else {
             return self;
         };
         let pitch = pitch(view, up, level, pitch_deg);
-        let way = turned(way, level, pitch);
-        let way = turned(way, up, Rotation::by(yaw_deg));
+        let offset = rotate(offset, level, pitch);
+        let offset = rotate(offset, up, Rotation::by(yaw_deg));
         Self {
-            eye: self.look_at.zip(way, Real::saturating_add),
+            eye: self.look_at.zip(offset, Real::saturating_add),
             ..self
         }
     }
 }
 
-/// How far the way from `look_at` to the eye is to be raised, around `level`.
-#[inline(never)]
+/// Returns the rotation around `level` that raises the eye by `degrees`, limited so that the eye
+/// stays 1 degree short of the poles.
 fn pitch(view: Vec3<Unit>, up: Vec3<Unit>, level: Vec3<Unit>, degrees: Real) -> Rotation {
     const HALF: Real = Real::lit("180");
-    /// By 89 degrees; a constant, or the text would be read by the chip.
+    /// Elevation of 89 degrees. A `const`, so that the literals are parsed at compile time.
     const STEEPEST: Rotation = Rotation {
         cos: Unit::lit("0.0174524064"),
         sin: Unit::lit("0.9998476952"),
@@ -88,9 +88,9 @@ fn pitch(view: Vec3<Unit>, up: Vec3<Unit>, level: Vec3<Unit>, degrees: Real) -> 
     limit.then(elevation.back())
 }
 
-/// A vector, turned around an axis (Rodrigues 1840):
-/// `v cos + (axis × v) sin + axis (axis · v) (1 - cos)`.
-fn turned(v: Vec3<Real>, axis: Vec3<Unit>, turn: Rotation) -> Vec3<Real> {
+/// Rotates `v` around a unit axis (Rodrigues 1840):
+/// `v cos + (axis × v) sin + axis (axis · v) (1 - cos)`, rounded to Q32 and saturated.
+fn rotate(v: Vec3<Real>, axis: Vec3<Unit>, turn: Rotation) -> Vec3<Real> {
     let v = v.map(|c| i128::from(c.to_bits()));
     let Vec3 { x, y, z } = axis.map(|c| i64::from(c.to_bits()));
     let [cos, sin] = [turn.cos, turn.sin].map(|c| i64::from(c.to_bits()));
@@ -104,8 +104,9 @@ fn turned(v: Vec3<Real>, axis: Vec3<Unit>, turn: Rotation) -> Vec3<Real> {
         })
 }
 
-/// A sum of products, Q32 * Q30 -> Q62, rounded to Q32. Not inlined: products of
-/// 128 bits are long.
+/// Returns `x a + y b + z c` in Q32, rounded to nearest: Q32 * Q30 -> Q62 -> Q32.
+///
+/// Out of line, because products of 128 bits take much code.
 #[inline(never)]
 fn dot([x, y, z]: [i128; 3], [a, b, c]: [i64; 3]) -> i128 {
     let sum = x * i128::from(a) + y * i128::from(b) + z * i128::from(c);

@@ -1,7 +1,7 @@
-/// Numbers of items of a scene, or the capacity of a [`SceneBuffer`](crate::SceneBuffer).
+/// Numbers of items of a scene, or capacities of a [`SceneBuffer`](crate::SceneBuffer).
 ///
-/// [`scene_buffer!`](crate::scene_buffer) turns counts into the type of a buffer that holds as
-/// many, so a program that uses both need not change when scenes get new kinds of items.
+/// [`scene_buffer!`](crate::scene_buffer) turns counts into the type of a buffer with these
+/// capacities, so a program that uses both keeps compiling when scenes get new kinds of items.
 ///
 /// ```
 /// use whitted::scene::SceneCounts;
@@ -22,29 +22,29 @@ pub struct SceneCounts {
 }
 
 impl SceneCounts {
-    /// No items.
+    /// Counts of an empty scene.
     pub const EMPTY: Self = Self {
         objects: 0,
         lights: 0,
         materials: 0,
     };
 
-    /// These counts with another number of objects.
+    /// Returns these counts with another number of objects.
     pub const fn objects(self, objects: usize) -> Self {
         Self { objects, ..self }
     }
 
-    /// These counts with another number of lights.
+    /// Returns these counts with another number of lights.
     pub const fn lights(self, lights: usize) -> Self {
         Self { lights, ..self }
     }
 
-    /// These counts with another number of materials.
+    /// Returns these counts with another number of materials.
     pub const fn materials(self, materials: usize) -> Self {
         Self { materials, ..self }
     }
 
-    /// The larger of both counts of each kind: the capacity that holds either scene.
+    /// Returns the larger of both counts for each kind of item: capacities that hold either scene.
     pub const fn max(self, other: Self) -> Self {
         Self {
             objects: larger(self.objects, other.objects),
@@ -54,7 +54,7 @@ impl SceneCounts {
     }
 }
 
-/// `Ord::max` is not const.
+/// Returns the larger number. (`Ord::max` is not `const`.)
 const fn larger(a: usize, b: usize) -> usize {
     if a > b { a } else { b }
 }

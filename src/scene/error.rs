@@ -1,23 +1,32 @@
-//! What can be wrong with a scene.
+//! Errors of preparing and decoding a scene.
 
 use core::fmt;
 
 use crate::math::{Decimal, Real};
 
-/// Why a scene could not be prepared: which item, which of its fields, what is wrong.
+/// Reason why a scene cannot be prepared: the item, its field and the problem.
 ///
-/// Fields are named as in scene files.
+/// ```
+/// use whitted::scene::{SceneItem, SceneProblem};
+/// use whitted::{Camera, Real, Scene, SceneBuffer, Vec3};
+///
+/// let camera = Camera::new(Vec3::lit("0", "2", "8"), Vec3::lit("0", "1", "0"), Real::ZERO);
+/// let error = SceneBuffer::<1, 1, 1>::new().prepare(&Scene::new(camera)).unwrap_err();
+/// assert_eq!(error.item, SceneItem::Camera);
+/// assert!(matches!(error.problem, SceneProblem::OutOfRange { .. }));
+/// assert_eq!(error.to_string(), "camera: fovy_deg must be from 1 to 170");
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SceneError {
-    /// What is wrong belongs to this.
+    /// Item that cannot be prepared.
     pub item: SceneItem,
-    /// The field of the item, for example `"radius"`.
+    /// Name of the item's field as in scene files, for example `"radius"`.
     pub field: &'static str,
-    /// What is wrong with it.
+    /// Problem of the field.
     pub problem: SceneProblem,
 }
 
-/// A list of a buffer has no more room.
+/// A list of a buffer is full.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct CapacityError {
     list: &'static str,
@@ -49,10 +58,10 @@ impl From<CapacityError> for DecodeError {
     }
 }
 
-/// A part of a scene; lists are numbered from 0.
+/// Item of a scene. Lights, materials and objects are numbered from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SceneItem {
-    /// The scene's own settings.
+    /// The settings and lists of [`Scene`](crate::Scene).
     Scene,
     /// The camera.
     Camera,
@@ -64,38 +73,48 @@ pub enum SceneItem {
     Object(u16),
 }
 
-/// What is wrong with a field.
+/// Problem of a scene's field.
+///
+/// [`Display`](fmt::Display) writes a predicate that follows the name of the field, for example
+/// "must be from 1 to 170".
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum SceneProblem {
-    /// A number is outside its range, both ends of which are allowed.
+    /// The number is outside its range. Both ends of the range are allowed.
     OutOfRange {
-        /// The least value.
+        /// Least allowed value.
         least: Real,
-        /// The greatest value.
+        /// Greatest allowed value.
         most: Real,
     },
-    /// A vector that needs a direction is (nearly) zero.
+    /// The vector is too short to give a direction.
     NoDirection,
-    /// The camera looks at its own eye.
+    /// The camera's `look_at` is its `eye`.
     NoView,
-    /// `up` points along the view.
+    /// The camera's `up` is parallel to its line of sight.
     AlongView,
-    /// Too far from a scene that is already prepared: it must be prepared anew.
+    /// The camera's eye is outside the range that the scene was prepared for.
     OutOfReach,
-    /// The low end of an interval is not below its high end.
+    /// The low end of the interval is not below its high end.
     EmptyInterval,
-    /// The two axes of a checkerboard are the same.
+    /// Both axes of the checkerboard are the same.
     SameAxis,
-    /// The rows of a frame are not unit vectors at right angles, right-handed.
+    /// The vectors of the frame are not a right-handed orthonormal basis.
     NotOrthonormal,
-    /// No material has this number.
-    NoSuchMaterial(u16),
-    /// The list is longer than the buffer, which holds so many.
+    /// The number of the material is not below the number of materials.
+    NoSuchMaterial {
+        /// Number of the missing material.
+        index: u16,
+        /// Number of materials of the scene.
+        count: u16,
+    },
+    /// The list is longer than the capacity of the buffer.
     TooMany {
-        /// What the buffer holds.
+        /// Capacity of the buffer.
         capacity: u16,
     },
+    /// The crate was built without the named Cargo feature, which the value needs.
+    MissingFeature(&'static str),
 }
 
 impl fmt::Display for SceneError {
@@ -123,65 +142,82 @@ impl fmt::Display for SceneProblem {
                 write!(f, "must be from {} to {}", Decimal(*least), Decimal(*most))
             }
             Self::NoDirection => f.write_str("must not be zero"),
-            Self::NoView => f.write_str("must be another point than the eye"),
-            Self::AlongView => f.write_str("must not point along the view"),
-            Self::OutOfReach => f.write_str(
-                "is too far from the scene as it is prepared; prepare it anew with this camera",
-            ),
+            Self::NoView => f.write_str("must differ from `eye`"),
+            Self::AlongView => f.write_str("must not be parallel to the line of sight"),
+            Self::OutOfReach => {
+                f.write_str("is outside the prepared range; call `prepare` with this camera")
+            }
             Self::EmptyInterval => f.write_str("must run from a lower to a higher value"),
             Self::SameAxis => f.write_str("must name two different axes"),
             Self::NotOrthonormal => {
                 f.write_str("must be three unit vectors at right angles, u × v = w")
             }
-            Self::NoSuchMaterial(index) => write!(f, "names material {index}, which is not there"),
+            Self::NoSuchMaterial { index, count } => write!(
+                f,
+                "refers to material {index}, but there are only {count}, numbered from 0"
+            ),
             Self::TooMany { capacity } => {
-                write!(f, "are more than the {capacity} there is room for")
+                write!(f, "exceed the buffer's capacity of {capacity}")
             }
+            Self::MissingFeature(feature) => needs_feature(f, feature),
         }
     }
 }
 
+fn needs_feature(f: &mut fmt::Formatter<'_>, feature: &str) -> fmt::Result {
+    write!(f, "needs the Cargo feature `{feature}`")
+}
+
 impl core::error::Error for SceneError {}
 
-/// Why compiled bytes are not a scene.
+/// Reason why bytes cannot be decoded as a compiled scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum DecodeError {
-    /// The bytes do not begin as a compiled scene does.
+    /// The bytes do not start with the magic number of a compiled scene.
     NotAScene,
-    /// Compiled by another version of the format.
-    Version(u8),
-    /// Too few bytes for a header; or the checksum agrees, but there are fewer or more bytes
-    /// than the lists take.
+    /// The scene was compiled for another version of the format.
+    Version {
+        /// Version of the scene.
+        found: u8,
+        /// Version that this crate decodes.
+        expected: u8,
+    },
+    /// There are fewer bytes than a header takes, or the checksum is right but the lists take
+    /// fewer or more bytes than there are.
     Length,
-    /// The checksum disagrees: the bytes were damaged, or some are missing.
+    /// The checksum is wrong: the bytes are damaged or truncated.
     Checksum,
-    /// Checksum and length agree, but a value is not one a scene can have.
+    /// Checksum and length are right, but a value of the item is invalid.
     Invalid(SceneItem),
-    /// A list is longer than the buffer, which holds so many.
+    /// A list is longer than the capacity of the buffer.
     TooMany {
         /// `"objects"`, `"lights"` or `"materials"`.
         list: &'static str,
-        /// What the buffer holds.
+        /// Capacity of the buffer.
         capacity: u16,
     },
+    /// The crate was built without the named Cargo feature, which the scene needs.
+    MissingFeature(&'static str),
 }
 
 impl fmt::Display for DecodeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NotAScene => f.write_str("not a compiled scene"),
-            Self::Version(version) => {
-                write!(f, "compiled for another format, {version}: compile it anew")
-            }
-            Self::Length => f.write_str("cut short or too long"),
-            Self::Checksum => f.write_str("damaged or cut short: wrong checksum"),
-            Self::Invalid(item) => write!(f, "{item} has an impossible value"),
-            // Not by way of `SceneError`, which would bring the printing of
-            // numbers with fractions into firmware.
+            Self::Version { found, expected } => write!(
+                f,
+                "unsupported format version {found}, expected {expected}: recompile the scene"
+            ),
+            Self::Length => f.write_str("wrong length: the scene is truncated or too long"),
+            Self::Checksum => f.write_str("wrong checksum: the scene is damaged or truncated"),
+            Self::Invalid(item) => write!(f, "{item} has an invalid value"),
+            // `SceneError` would format this too, but links the formatting of fixed-point numbers
+            // into firmware.
             Self::TooMany { list, capacity } => {
-                write!(f, "more {list} than the {capacity} there is room for")
+                write!(f, "too many {list}: the buffer holds {capacity}")
             }
+            Self::MissingFeature(feature) => needs_feature(f, feature),
         }
     }
 }

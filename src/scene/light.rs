@@ -1,18 +1,18 @@
 use crate::math::{Color, Real, Vec3};
 
-/// A point light. It does not fade with distance.
+/// Point light whose intensity does not fall off with distance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Light {
-    /// Where it is.
+    /// Position in world units.
     pub position: Vec3<Real>,
-    /// `id`, what diffuse reflection takes from it: 0 to 256 a channel.
+    /// Intensity `id` for diffuse reflection, 0 to 256 per channel.
     pub diffuse: Color<Real>,
-    /// `is`, what highlights take from it: 0 to 256 a channel.
+    /// Intensity `is` for highlights, 0 to 256 per channel.
     pub specular: Color<Real>,
 }
 
 impl Light {
-    /// A light whose diffuse and specular colors are the same.
+    /// Returns a light with the same diffuse and specular intensity.
     pub const fn point(position: Vec3<Real>, color: Color<Real>) -> Self {
         Self {
             position,

@@ -1,32 +1,32 @@
 use crate::math::{Color, Real};
 
-/// How a surface reflects and transmits light (Whitted 1980, Phong 1975).
+/// Coefficients by which a surface reflects and transmits light (Whitted 1980, Phong 1975).
 ///
-/// Coefficients are colors of 0 to 1 a channel; `le` is up to 256.
+/// The coefficients are colors with channels from 0 to 1, except for `le`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Material {
-    /// Ambient reflection.
+    /// Ambient reflection coefficient.
     pub ka: Color<Real>,
-    /// Diffuse (Lambert) reflection.
+    /// Diffuse (Lambertian) reflection coefficient.
     pub kd: Color<Real>,
-    /// Specular reflection of lights: the highlight.
+    /// Specular reflection coefficient: weight of the highlights of lights.
     pub ks: Color<Real>,
-    /// Exponent of the highlight, 1 to 4096. Read only where `ks` is not black.
+    /// Exponent of the highlight, 1 to 4096. Ignored if `ks` is black.
     pub shininess: Real,
     /// Weight of the reflected ray.
     pub kr: Color<Real>,
-    /// Weight of the transmitted ray, and what is left of light at each crossing.
+    /// Weight of the transmitted ray, and transmittance of the surface for shadow rays.
     pub kt: Color<Real>,
-    /// Index of refraction, 1 to 4; see [`ior`]. Read only where `kt` is not black.
+    /// Index of refraction, 1 to 4; see [`ior`]. Ignored if `kt` is black.
     pub ior: Real,
-    /// Emission, 0 to 256 a channel.
+    /// Emitted radiance, 0 to 256 per channel.
     pub le: Color<Real>,
-    /// Highlight model; `None` takes the scene's.
+    /// Highlight model; `None` selects [`Scene::shading`](crate::Scene::shading).
     pub shading: Option<SpecularModel>,
 }
 
 impl Material {
-    /// All colors black, to be completed by a struct update.
+    /// Material with black coefficients, to be completed by struct update syntax.
     pub const BLACK: Self = Self {
         ka: Color::gray(Real::ZERO),
         kd: Color::gray(Real::ZERO),
@@ -46,40 +46,40 @@ impl Default for Material {
     }
 }
 
-/// A material's place in [`Scene::materials`](crate::Scene::materials).
+/// Index of a material in [`Scene::materials`](crate::Scene::materials).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MaterialId(pub u16);
 
-/// How highlights are shaped.
+/// Model of highlights.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum SpecularModel {
-    /// By the angle between the mirrored light and the eye (Phong 1975).
+    /// Phong (1975): cosine of the angle between the view direction and the reflected light.
     #[default]
     Phong,
-    /// By the angle between the normal and the halfway vector (Blinn 1977).
+    /// Blinn (1977): cosine of the angle between the normal and the halfway vector.
     BlinnPhong,
 }
 
-/// Indices of refraction.
+/// Common indices of refraction.
 pub mod ior {
     use crate::math::Real;
 
-    /// 1
+    /// Index of a vacuum: 1.
     pub const VACUUM: Real = Real::ONE;
-    /// 1.000292
+    /// Index of air: 1.000292.
     pub const AIR: Real = Real::lit("1.000292");
-    /// 1.11
+    /// Index of plastic: 1.11.
     pub const PLASTIC: Real = Real::lit("1.11");
-    /// 1.22
+    /// Index of glass: 1.22.
     pub const GLASS: Real = Real::lit("1.22");
-    /// 1.33
+    /// Index of water: 1.33.
     pub const WATER: Real = Real::lit("1.33");
-    /// 1.362
+    /// Index of alcohol: 1.362.
     pub const ALCOHOL: Real = Real::lit("1.362");
-    /// 2.417
+    /// Index of diamond: 2.417.
     pub const DIAMOND: Real = Real::lit("2.417");
 
-    /// All of them by name.
+    /// Indices of refraction by the names that scene files use.
     pub const NAMED: [(&str, Real); 7] = [
         ("vacuum", VACUUM),
         ("air", AIR),

@@ -1,17 +1,17 @@
 use crate::math::{Real, Vec3};
 use crate::scene::{ClipBox, MaterialId, Shape, Texture};
 
-/// A shape and what covers it.
+/// Shape with its texture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Object {
-    /// Its surface.
+    /// Surface of the object.
     pub shape: Shape,
-    /// What covers it.
+    /// Texture of the surface.
     pub texture: Texture,
 }
 
 impl Object {
-    /// A sphere of one material.
+    /// Returns a sphere of one material.
     pub const fn sphere(center: Vec3<Real>, radius: Real, material: MaterialId) -> Self {
         Self {
             shape: Shape::Sphere { center, radius },
@@ -19,8 +19,8 @@ impl Object {
         }
     }
 
-    /// A sphereflake of one material: upright, its spheres a third of those that
-    /// they touch.
+    /// Returns an upright sphereflake of one material, each sphere a third as large as the one
+    /// that it touches.
     ///
     /// ```
     /// use whitted::{Camera, Material, MaterialId, Object, Real, Scene, SceneBuffer, Vec3};
@@ -52,7 +52,7 @@ impl Object {
         }
     }
 
-    /// An endless level floor through `y`, seen from above.
+    /// Returns an unbounded horizontal plane at height `y` whose normal points up.
     pub const fn floor(y: Real, texture: Texture) -> Self {
         Self {
             shape: Shape::Plane {

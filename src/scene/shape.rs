@@ -1,81 +1,84 @@
 use crate::math::{Real, Vec3};
 
-/// A surface, given by an implicit function; its normal is the gradient.
+/// Surface of an object, in world units.
+///
+/// A closed surface separates an inside from an outside: rays that it transmits are refracted
+/// at both crossings. An open surface has no inside. Axes of symmetry are parallel to y.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Shape {
-    /// A sphere. Closed.
+    /// Sphere; closed.
     Sphere {
-        /// Its center.
+        /// Center.
         center: Vec3<Real>,
-        /// Its radius, above 0.
+        /// Radius, above 0.
         radius: Real,
     },
-    /// `x²/a² + y²/b² + z²/c² = 1`. Closed.
+    /// Ellipsoid `x²/a² + y²/b² + z²/c² = 1`; closed.
     Ellipsoid {
-        /// Its center.
+        /// Center.
         center: Vec3<Real>,
-        /// a, b and c, above 0; the longest at most 256 times the shortest.
+        /// Semi-axes a, b and c, above 0. The longest is at most 256 times the shortest.
         radii: Vec3<Real>,
     },
-    /// `x² + z² = r²`. Open where it is clamped; an endless one bounds its inside.
+    /// Cylinder `x² + z² = r²` without caps; open if clipped by `y`, closed if unbounded.
     Cylinder {
-        /// A point of the axis, from which `y` counts.
+        /// Point of the axis. `y` is relative to it.
         origin: Vec3<Real>,
-        /// Its radius, above 0.
+        /// Radius, above 0.
         radius: Real,
-        /// Where it begins and, above that, ends; `None` is endless.
+        /// Low and high end along the axis; `None` for an unbounded cylinder.
         y: Option<[Real; 2]>,
     },
-    /// `x² + z² = (r/h)² (y - h)²`: a circle of radius r at y = 0 and an apex at
-    /// y = h. Open where it is clamped; an endless one bounds its inside.
+    /// Double cone `x² + z² = (r/h)² (y - h)²` without caps, with a circle of radius r at y = 0
+    /// and the apex at y = h; open if clipped by `y`, closed if unbounded.
     Cone {
-        /// The center of the circle, from which `y` counts.
+        /// Center of the circle. `y` is relative to it.
         origin: Vec3<Real>,
-        /// The radius of the circle, above 0.
+        /// Radius of the circle, above 0.
         radius: Real,
-        /// Where the apex is: above 0, or below it for a cone that stands on
-        /// its apex. 1/1024 to 1024 times the radius.
+        /// Height of the apex over the circle, negative for a cone that stands on its apex. Its
+        /// absolute value is 1/1024 to 1024 times the radius.
         height: Real,
-        /// Where it begins and, above that, ends; beyond the apex it is a double cone.
-        /// `None` is endless.
+        /// Low and high end along the axis, which may lie on both sides of the apex; `None` for an
+        /// unbounded double cone.
         y: Option<[Real; 2]>,
     },
-    /// `x² + z² = y`, in world units. Open.
+    /// Paraboloid `x² + z² = y`; open.
     Paraboloid {
-        /// The vertex, from which `y` counts.
+        /// Vertex. `y` is relative to it.
         origin: Vec3<Real>,
-        /// Where it begins and, above that and above 0, ends.
+        /// Low and high end along the axis. The high end is above 0.
         y: [Real; 2],
     },
-    /// A plane, endless or bounded per axis. An endless one bounds the
-    /// half-space behind its normal; a bounded one is open.
+    /// Plane; closed if unbounded, with the half-space behind the normal as its inside, and open
+    /// if clipped.
     Plane {
-        /// Any length but 0.
+        /// Normal of any length but 0.
         normal: Vec3<Real>,
-        /// Any point of the plane.
+        /// Point of the plane.
         point: Vec3<Real>,
-        /// Where it ends.
+        /// Box in world coordinates that clips the plane.
         bounds: ClipBox,
     },
-    /// A sphere touched by twelve smaller ones, each of which is touched by
-    /// twelve, and so on. Closed.
+    /// Sphereflake: a sphere touched by twelve smaller spheres, each of which is touched by twelve
+    /// smaller ones, and so on; closed.
     Sphereflake {
-        /// The center of the largest sphere.
+        /// Center of the largest sphere.
         center: Vec3<Real>,
-        /// Its radius, above 0.
+        /// Radius of the largest sphere, above 0.
         radius: Real,
-        /// Generations of smaller spheres, 0 to 8. Six are 3,257,437 spheres.
+        /// Number of generations of smaller spheres, 0 to 8. Six generations have 3,257,437 spheres.
         depth: u8,
-        /// A sphere's radius in that of the one it touches: 0.1 to 0.5.
+        /// Ratio of a sphere's radius to the radius of its parent, 0.1 to 0.5.
         ratio: Real,
-        /// The directions u, v and w of the largest sphere, orthonormal.
+        /// Axes u, v and w of the largest sphere: a right-handed orthonormal basis.
         frame: [Vec3<Real>; 3],
     },
 }
 
 impl Shape {
-    /// Where it is.
+    /// Returns the position, which animation tracks move.
     pub(crate) fn position_mut(&mut self) -> &mut Vec3<Real> {
         match self {
             Self::Sphere { center, .. }
@@ -88,7 +91,7 @@ impl Shape {
         }
     }
 
-    /// Its radius, if it has one.
+    /// Returns the radius, if the shape has a single one.
     pub(crate) fn radius_mut(&mut self) -> Option<&mut Real> {
         match self {
             Self::Sphere { radius, .. }
@@ -99,16 +102,15 @@ impl Shape {
         }
     }
 
-    /// Whether it has a radius.
+    /// Returns true if the shape has a single radius.
     pub(crate) fn has_radius(mut self) -> bool {
         self.radius_mut().is_some()
     }
 
-    /// The usual ratio of a sphereflake: 1/3.
+    /// Ratio of the classic sphereflake: 1/3.
     pub const FLAKE_RATIO: Real = Real::from_bits(0x5555_5555);
 
-    /// The usual frame of a sphereflake, its poles up and down: u = +x, v = -z,
-    /// w = +y.
+    /// Axes of an upright sphereflake: u = +x, v = -z, w = +y.
     pub const FLAKE_FRAME: [Vec3<Real>; 3] = [
         Vec3::new(Real::ONE, Real::ZERO, Real::ZERO),
         Vec3::new(Real::ZERO, Real::ZERO, Real::NEG_ONE),
@@ -116,19 +118,19 @@ impl Shape {
     ];
 }
 
-/// Bounds per axis in world coordinates: low ends, and high ends above them.
+/// Axis-aligned box in world coordinates that clips a plane. Low ends are below high ends.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ClipBox {
-    /// Along x; `None` is endless.
+    /// Low and high end along x; `None` for an axis that is not clipped.
     pub x: Option<[Real; 2]>,
-    /// Along y.
+    /// Low and high end along y; `None` for an axis that is not clipped.
     pub y: Option<[Real; 2]>,
-    /// Along z.
+    /// Low and high end along z; `None` for an axis that is not clipped.
     pub z: Option<[Real; 2]>,
 }
 
 impl ClipBox {
-    /// Endless in every direction.
+    /// Box that clips nothing.
     pub const NONE: Self = Self {
         x: None,
         y: None,

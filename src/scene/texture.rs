@@ -1,31 +1,31 @@
 use crate::math::Real;
 use crate::scene::MaterialId;
 
-/// What covers a surface.
+/// Assignment of materials to the points of a surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Texture {
-    /// One material all over.
+    /// One material for all points.
     Uniform(MaterialId),
-    /// A checkerboard: the first material where the sum over both axes of
-    /// `floor(coordinate / size)` is even, in world coordinates, else the second.
+    /// Checkerboard in world coordinates: the first material where the sum of
+    /// `floor(coordinate / size)` over both axes is even, the second material where it is odd.
     Checker {
-        /// Length of a cell's side, above 0.
+        /// Side length of a cell, above 0.
         size: Real,
-        /// The two axes, different ones.
+        /// Two different axes.
         axes: [Axis; 2],
-        /// For even and for odd cells.
+        /// Materials of the even and the odd cells.
         materials: [MaterialId; 2],
     },
 }
 
-/// A coordinate axis.
+/// Axis of the right-handed world coordinate system.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Axis {
-    /// To the right.
+    /// The x axis, to the right.
     #[default]
     X,
-    /// Up.
+    /// The y axis, up.
     Y,
-    /// Towards the viewer.
+    /// The z axis, toward the viewer.
     Z,
 }

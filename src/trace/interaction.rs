@@ -17,6 +17,8 @@ pub(super) struct Interaction<'s> {
     pub(super) normal: Vec3<Unit>,
     /// Cosine of the angle of incidence, `-V · n`: not negative.
     pub(super) cosine: Unit,
+    /// Index of the material, for observers.
+    pub(super) material_index: u16,
     pub(super) material: &'s Material,
 }
 
@@ -29,6 +31,7 @@ impl<'s> Interaction<'s> {
             ray,
             normal: Vec3::new(Unit::ZERO, Unit::ZERO, Unit::ZERO),
             cosine: Unit::ZERO,
+            material_index: 0,
             material: &BLACK,
         }
     }
@@ -65,7 +68,7 @@ impl<'s> Interaction<'s> {
         } else {
             ray.origin = hit.extended_point(object, ray);
         }
-        let Some(normal) = object.shape.normal(ray.origin, part, check_bounds) else {
+        let Some(normal) = object.shape.normal(&ray.origin, part, check_bounds) else {
             return false;
         };
         let is_horizontal = object.flags.intersects(SurfaceFlags::HORIZONTAL);
@@ -75,10 +78,16 @@ impl<'s> Interaction<'s> {
             ray.direction.cosine(normal)
         };
         let is_inside = cosine > Unit::ZERO;
-        ray.leaves = OriginSurface::new(hit.object, part.id, is_inside, object.flags);
+        ray.leaves = OriginSurface::new(
+            hit.object,
+            object.shape.part_id(part),
+            is_inside,
+            object.flags,
+        );
         self.normal = if is_inside { -normal } else { normal };
         self.cosine = cosine.abs();
-        self.material = scene.material(object.texture.material(&ray.origin));
+        self.material_index = object.texture.material(&ray.origin);
+        self.material = scene.material(self.material_index);
         true
     }
 

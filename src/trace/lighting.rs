@@ -18,8 +18,8 @@ impl<O: Observer> Tracer<'_, '_, O> {
     pub(super) fn direct_lighting(&mut self, at: &Interaction<'_>, sum: &mut Color<Radiance>) {
         *sum = at.material.emitted;
         if !at.material.kd.is_black() {
-            for light in 0..self.scene.lights.len() {
-                self.add_light(at, light, sum);
+            for (index, light) in self.scene.lights.iter().enumerate() {
+                self.add_light(at, light, index, sum);
             }
         } else if !at.material.ks.is_black() {
             self.add_highlights(at, sum);
@@ -31,17 +31,20 @@ impl<O: Observer> Tracer<'_, '_, O> {
     fn add_highlights(&mut self, at: &Interaction<'_>, sum: &mut Color<Radiance>) {
         for (index, light) in self.scene.lights.iter().enumerate() {
             if at.material.is_blinn || at.may_have_highlight(light) {
-                self.add_light(at, index, sum);
+                self.add_light(at, light, index, sum);
             }
         }
     }
 
     /// Adds the light of one light that the surface reflects towards the ray's origin.
     #[inline(never)]
-    fn add_light(&mut self, at: &Interaction<'_>, index: usize, sum: &mut Color<Radiance>) {
-        let Some(light) = self.scene.lights.get(index) else {
-            return;
-        };
+    fn add_light(
+        &mut self,
+        at: &Interaction<'_>,
+        light: &Light,
+        index: usize,
+        sum: &mut Color<Radiance>,
+    ) {
         // In steps of the point's shift.
         let to_light = at.ray.origin.to(light.position);
         let along = at.along_normal(to_light);
@@ -61,13 +64,13 @@ impl<O: Observer> Tracer<'_, '_, O> {
             return;
         }
         let segment = ShadowSegment {
-            light: light.position,
+            light: &light.position,
             to_light,
             inverse,
             ray: &at.ray,
         };
         let mut transmittance = None;
-        let is_visible = self.is_visible(&segment, index, &mut transmittance);
+        let is_visible = self.is_visible(&segment, light, index, &mut transmittance);
         self.observer.shadow(
             index as u16,
             is_visible.then(|| transmittance.map_or(to_real(Color::<Factor>::WHITE), to_real)),
@@ -164,7 +167,7 @@ mod tests {
     use fastrand::Rng;
 
     use super::*;
-        use crate::geometry::{OriginSurface, Point, Ray};
+    use crate::geometry::{OriginSurface, Point, Ray};
     use crate::math::direction;
     use crate::prepare::Material;
     use crate::trace::optics;
@@ -203,6 +206,7 @@ mod tests {
                 ray,
                 normal,
                 cosine,
+                material_index: 0,
                 material: &material,
             };
             let mirrored = optics::mirrored(view, normal, cosine);

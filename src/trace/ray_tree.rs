@@ -65,7 +65,7 @@ impl PathState {
     }
 }
 
-impl<O: Observer> Tracer<'_, '_, O> {
+impl<'s, O: Observer> Tracer<'_, 's, O> {
     /// Traces a camera ray and returns its radiance.
     ///
     /// The direction need not have unit length. It is normalized only if something depends on
@@ -156,7 +156,7 @@ impl<O: Observer> Tracer<'_, '_, O> {
     /// Adds the radiance of all secondary rays. The stack for pending rays is as large as the
     /// scene needs.
     #[inline(always)]
-    fn trace_tree(&mut self, interaction: &mut Interaction<'_>, radiance: &mut Color<Radiance>) {
+    fn trace_tree(&mut self, interaction: &mut Interaction<'s>, radiance: &mut Color<Radiance>) {
         let settings = &self.scene.settings;
         let mut tree = RayTree {
             tracer: self,
@@ -181,19 +181,14 @@ impl<O: Observer> Tracer<'_, '_, O> {
         path: PathState,
         local: Color<Radiance>,
     ) {
-        let scene = self.scene;
-        let material = |it: &Interaction<'_>| {
-            let object = scene.object(it.object());
-            object.texture.material(&it.ray.origin)
-        };
         self.observer.node(&RayNode {
             kind: path.kind,
             generation: path.depth,
             weight: weight_to_real(path.throughput),
             object: interaction.map(Interaction::object),
-            material: interaction.map(material),
+            material: interaction.map(|it| it.material_index),
             inside: interaction.is_some_and(Interaction::is_inside),
-            local: local.brightened(scene.settings.exposure.into()),
+            local: local.brightened(self.scene.settings.exposure.into()),
         });
     }
 }

@@ -8,7 +8,7 @@ use super::tracer::Tracer;
 use crate::geometry::{ShadowSegment, SurfaceFlags, Texture, normalize_q16};
 use crate::math::{Color, Factor, Length, Weight};
 use crate::observer::{Observer, RayKind};
-use crate::prepare::Object;
+use crate::prepare::{Light, Object};
 
 impl<O: Observer> Tracer<'_, '_, O> {
     /// Returns true if a light reaches the end of a segment. `transmittance` is set if
@@ -17,20 +17,18 @@ impl<O: Observer> Tracer<'_, '_, O> {
     pub(super) fn is_visible(
         &mut self,
         segment: &ShadowSegment<'_>,
-        light: usize,
+        light: &Light,
+        index: usize,
         transmittance: &mut Option<Color<Factor>>,
     ) -> bool {
         self.observer.ray(RayKind::Shadow);
         let scene = self.scene;
-        let Some(source) = scene.lights.get(light) else {
-            return true;
-        };
         let leaves = &segment.ray.leaves;
-        if leaves.flags.intersects(source.unoccluded) && !leaves.is_inside {
+        if leaves.flags.intersects(light.unoccluded) && !leaves.is_inside {
             return true;
         }
         let to_light = normalize_q16(segment.to_light.map(Length::to_bits), segment.inverse);
-        for cone in scene.light_cones(light) {
+        for cone in scene.light_cones(index) {
             if cone.may_contain(to_light)
                 && cone.object != leaves.skipped
                 && !self.attenuate(segment, cone.object, transmittance)
@@ -39,7 +37,7 @@ impl<O: Observer> Tracer<'_, '_, O> {
             }
         }
         if leaves.flags.intersects(SurfaceFlags::BOUNDED)
-            && !source.is_occluded_by_planes
+            && !light.is_occluded_by_planes
             && segment.ray.origin.is_near()
         {
             return true;
@@ -68,10 +66,9 @@ impl<O: Observer> Tracer<'_, '_, O> {
             Texture::Checker(_) => None,
         };
         let is_opaque = !cfg!(feature = "glass") || kt.is_some_and(Color::<Weight>::is_black);
-        let crossings =
-            object
-                .shape
-                .count_crossings(segment, is_origin, is_opaque, self.observer);
+        let crossings = object
+            .shape
+            .count_crossings(segment, is_origin, is_opaque, self.observer);
         if crossings == Some(0) {
             return true;
         }

@@ -101,7 +101,7 @@ fn draw_all() -> Result<Vec<(&'static str, Cost)>> {
         Event::Press(Button::Next),
         Event::Amid(Button::Next),
     ];
-    let error = "This scene cannot be drawn: damaged or cut short: wrong checksum.";
+    let error = "This scene cannot be drawn: wrong checksum: the scene is damaged or truncated.";
     let expected = [
         ("four_spheres", Some(on_the_host(&first)?)),
         ("an error", Some(text(error)?)),

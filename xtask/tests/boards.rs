@@ -41,7 +41,8 @@ fn the_stm32f405_shows_what_is_wrong_with_a_scene() -> Result<()> {
     let shown = netduinoplus2::draw(&STM32F405_IN_QEMU.build(Some(&broken))?)?;
 
     let mut expected = Picture::new(LANDSCAPE);
-    let text = "The scene in flash cannot be drawn: damaged or cut short: wrong checksum.";
+    let text =
+        "The scene in flash cannot be drawn: wrong checksum: the scene is damaged or truncated.";
     message_page::write(&mut expected, &FONT_10X20, text)?;
     assert_equal(STM32F405_IN_QEMU, &shown, &expected);
     Ok(())

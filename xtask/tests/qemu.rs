@@ -237,7 +237,10 @@ fn a_broken_scene_is_told_on_display_and_uart() -> Result<()> {
 
     let shot = screenshot("broken")?;
     let report = oled::draw(&LM3S6965EVB.build(Some(&broken))?, Some(&shot))?;
-    assert_eq!(report.get("error")?, "damaged or cut short: wrong checksum");
+    assert_eq!(
+        report.get("error")?,
+        "wrong checksum: the scene is damaged or truncated"
+    );
     let lit = shown(&shot)?.iter().filter(|level| **level == 15).count();
     assert!((200..2000).contains(&lit), "{lit} pixels of text");
     Ok(())

@@ -24,8 +24,7 @@ impl AuthoredShape for Authored {
     fn validate(&self, item: SceneItem) -> Result<(), SceneError> {
         limits::point(item, "origin", self.origin)?;
         limits::size(item, "radius", self.radius)?;
-        self.y
-            .map_or(Ok(()), |y| limits::interval(item, "y", y))
+        self.y.map_or(Ok(()), |y| limits::interval(item, "y", y))
     }
 
     /// An unbounded cylinder counts as a circle at the lowest height so far.

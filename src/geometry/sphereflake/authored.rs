@@ -40,7 +40,12 @@ impl Authored {
             }
             deepest += 1;
         }
-        limits::range(item, "depth", self.depth.into(), [Real::ZERO, deepest.into()])
+        limits::range(
+            item,
+            "depth",
+            self.depth.into(),
+            [Real::ZERO, deepest.into()],
+        )
     }
 }
 

@@ -157,8 +157,8 @@ impl Node {
         let foot = foot.zip(self.direction, |l, d| {
             shifted_upper_word((l + scaled_farther.product(d)).to_bits(), shift + 2)
         });
-        let bound = (upper_word(self.child_bound(flake).to_bits(), inverse.to_bits()) + 1)
-            << (shift + 2);
+        let bound =
+            (upper_word(self.child_bound(flake).to_bits(), inverse.to_bits()) + 1) << (shift + 2);
         Self {
             foot: to_child(foot, child).map(Radii::from_bits),
             direction,

@@ -103,7 +103,11 @@ impl Traversal<'_> {
                 }
                 self.t_max = distance;
             }
-            insert(self.pending, first, candidate & !CERTAIN | (level << 4) as i32);
+            insert(
+                self.pending,
+                first,
+                candidate & !CERTAIN | (level << 4) as i32,
+            );
         }
         false
     }
@@ -152,7 +156,12 @@ fn child_reach(parent: &Node, flake: &Sphereflake) -> i32 {
 /// the child's center from the line is `l² + step² - 2 step l·a - b²`. Children are six pairs
 /// of opposites, and the dot products share their terms.
 #[inline(always)]
-fn find_candidates(node: &Node, flake: &Sphereflake, foot_squared: i32, candidates: &mut Candidates) {
+fn find_candidates(
+    node: &Node,
+    flake: &Sphereflake,
+    foot_squared: i32,
+    candidates: &mut Candidates,
+) {
     let (steps, step) = (&flake.steps, flake.step_u16());
     // Q15 -> Q30 -> Q27
     let square = |c: u32| ((c * c) >> 3) as i32;
@@ -174,7 +183,11 @@ fn find_candidates(node: &Node, flake: &Sphereflake, foot_squared: i32, candidat
             continue;
         }
         let child = |sign: i32| ((farther ^ sign) << 16) + pair + (sign & 6);
-        let certain_flag = if square + nearer > certain { CERTAIN } else { 0 };
+        let certain_flag = if square + nearer > certain {
+            CERTAIN
+        } else {
+            0
+        };
         let _ = candidates.push(child(sign) | certain_flag);
         if square - nearer >= least {
             let _ = candidates.push(child(!sign));
@@ -186,9 +199,9 @@ fn find_candidates(node: &Node, flake: &Sphereflake, foot_squared: i32, candidat
 mod tests {
     use fixed::types::{I1F31, U0F32};
 
+    use super::super::child_frame::axis;
     use super::super::parameters::{Radii, SphereflakeParams};
     use super::*;
-    use super::super::child_frame::axis;
     use crate::math::{Length, Unit, Vec3, direction, high};
 
     /// Checks the figure in docs/fixed-point.md; targets with short pointers need less.

@@ -31,7 +31,12 @@ fn neighbors_share_a_group() {
         *object = sphere(0.9 * cluster + 0.01 * (number / 3) as f64, OPAQUE);
     }
     let (mut bounded, mut groups) = (Vec::<_, 32>::new(), Vec::<_, 32>::new());
-    list_objects(&objects, &mut bounded, &mut groups, &mut Vec::<_, 32>::new());
+    list_objects(
+        &objects,
+        &mut bounded,
+        &mut groups,
+        &mut Vec::<_, 32>::new(),
+    );
     assert_eq!(groups.len(), 3);
     let mut seen = [false; 3 * GROUP];
     for group in bounded.chunks(GROUP) {

@@ -2,12 +2,12 @@ use core::fmt;
 
 use super::pattern::MAX_SIDE;
 
-/// Why a picture cannot be drawn with smooth edges.
+/// Reason why an [`AntialiasedRenderer`](super::AntialiasedRenderer) cannot be created.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AntialiasError {
-    /// The memory is shorter than two lines.
+    /// The memory is shorter than two lines of the picture.
     TooLittleMemory {
-        /// What two lines take.
+        /// Number of samples that two lines take.
         samples: usize,
     },
     /// A side of the picture is longer than 8191 pixels.
@@ -18,9 +18,12 @@ impl fmt::Display for AntialiasError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::TooLittleMemory { samples } => {
-                write!(f, "the memory is too small: give it {samples} samples")
+                write!(f, "the memory is too small: provide {samples} samples")
             }
-            Self::TooLarge => write!(f, "the picture is too large: at most {MAX_SIDE} a side"),
+            Self::TooLarge => write!(
+                f,
+                "the picture is too large: at most {MAX_SIDE} pixels per side"
+            ),
         }
     }
 }

@@ -1,30 +1,31 @@
-/// The side of the grid of places in a pixel that rays may go through.
+/// Number of rows and columns of the grid of sample positions in a pixel.
 pub(super) const GRID: u32 = 8;
 
-/// The longest side of a picture, of which the fine one is within what a view may have.
+/// Greatest width and height of an antialiased picture: [`GRID`] times as many pixels must not exceed
+/// the limit of camera rays.
 pub(super) const MAX_SIDE: u32 = crate::render::camera_rays::MAX_SIDE / GRID;
 
-/// How many more rays go through a pixel at an edge, beside the one through its
-/// center.
+/// Number of additional rays for a pixel at an edge, besides the ray through its center.
 ///
-/// They lie at centers of an 8x8 grid, spread over its rows and columns: an edge
-/// that is nearly upright or level shows as many steps as there are of those.
+/// The rays go through cells of an 8x8 grid and are spread evenly over its rows and columns, so
+/// nearly vertical and nearly horizontal edges get as many gray levels as there are occupied
+/// columns and rows.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum SampleCount {
-    /// A rotated square, each in a row and a column of its own.
+    /// Four rays in a rotated square, each in a row and a column of its own.
     #[default]
     Four,
-    /// Two in each row and each column.
+    /// Sixteen rays, two in each row and each column.
     Sixteen,
 }
 
 type Rows = [&'static [u32]; GRID as usize];
 
 impl SampleCount {
-    /// The columns of the grid in each of its rows.
+    /// Returns the columns of the rays in each row of the grid, in ascending order.
     pub(super) fn rows(self) -> &'static Rows {
-        // Of the patterns that are their own mirror at the center, those that
-        // came closest to 256 rays a pixel, by trial.
+        // Found by trial: among point-symmetric patterns, these came closest to pictures with 256
+        // rays per pixel.
         const FOUR: Rows = [&[2], &[], &[7], &[], &[], &[0], &[], &[5]];
         const SIXTEEN: Rows = [
             &[1, 4],
@@ -42,14 +43,14 @@ impl SampleCount {
         }
     }
 
-    /// `2^32 / n` for all the rays of a pixel, rounded up.
-    pub(super) fn share(self) -> u32 {
-        const fn share(samples: u64) -> u32 {
+    /// Returns the weight of each ray of a pixel, `1 / n` in Q32, rounded up.
+    pub(super) fn weight(self) -> u32 {
+        const fn weight(samples: u64) -> u32 {
             (1_u64 << 32).div_ceil(samples) as u32
         }
         match self {
-            Self::Four => const { share(1 + 4) },
-            Self::Sixteen => const { share(1 + 16) },
+            Self::Four => const { weight(1 + 4) },
+            Self::Sixteen => const { weight(1 + 16) },
         }
     }
 }
@@ -59,7 +60,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn rows_have_as_many_places_as_promised_in_rising_order() {
+    fn patterns_have_documented_counts_in_ascending_columns() {
         for (samples, count) in [(SampleCount::Four, 4), (SampleCount::Sixteen, 16)] {
             let rows = samples.rows();
             assert_eq!(rows.iter().map(|row| row.len()).sum::<usize>(), count);

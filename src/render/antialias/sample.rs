@@ -1,28 +1,28 @@
 use crate::math::{Color, Radiance, wide};
 
-/// Neighbors that differ by more in a channel make an edge: 1/16.
+/// Neighbors whose colors differ by more than this in a channel form an edge: 1/16.
 const EDGE: Radiance = Radiance::from_bits(1 << 26);
 
-/// What is remembered of a pixel until its neighbors are known: 16 bytes.
+/// Pixel of the line memory of an [`AntialiasedRenderer`](super::AntialiasedRenderer): 16 bytes.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct AaSample {
-    /// Clipped to 0..=1; the mean so far, once more rays are added.
+    /// Color of the center ray, clipped to 0..=1; later the sum of the weighted rays.
     color: Color<Radiance>,
-    /// What is seen. The lowest bit tells that it is at an edge.
-    key: u32,
+    /// Hash of what the center ray hit. The lowest bit is set if the pixel is at an edge.
+    hash: u32,
 }
 
 impl AaSample {
-    /// What memory may be filled with.
+    /// Black sample, to initialize memory.
     pub const BLACK: Self = Self {
         color: Color::<Radiance>::BLACK,
-        key: 0,
+        hash: 0,
     };
 
-    pub(super) fn new(color: Color<Radiance>, key: u32) -> Self {
+    pub(super) fn new(color: Color<Radiance>, hash: u32) -> Self {
         Self {
-            color: clipped(color),
-            key: key & !1,
+            color: clip(color),
+            hash: hash & !1,
         }
     }
 
@@ -31,36 +31,36 @@ impl AaSample {
     }
 
     pub(super) fn is_edge(&self) -> bool {
-        self.key & 1 != 0
+        self.hash & 1 != 0
     }
 
-    /// Notes in both if they differ.
+    /// Marks both samples as edges if they differ.
     pub(super) fn compare(&mut self, other: &mut Self) {
-        let looks_alike = self.color.zip(other.color, Radiance::abs_diff);
-        if (self.key ^ other.key) >> 1 != 0 || !looks_alike.all(|difference| difference <= EDGE) {
-            self.key |= 1;
-            other.key |= 1;
+        let difference = self.color.zip(other.color, Radiance::abs_diff);
+        let same_hit = (self.hash ^ other.hash) >> 1 == 0;
+        if !same_hit || !difference.all(|d| d <= EDGE) {
+            self.hash |= 1;
+            other.hash |= 1;
         }
     }
 
-    /// Takes what is there for one of several rays, each of which has a share in
-    /// the mean of `share`, Q32.
-    pub(super) fn start(&mut self, share: u32) {
-        self.color = part(self.color, share);
+    /// Starts the sum of weighted rays with the center ray; `weight` is in Q32.
+    pub(super) fn start(&mut self, weight: u32) {
+        self.color = weighted(self.color, weight);
     }
 
-    /// Adds another of them.
-    pub(super) fn add(&mut self, color: Color<Radiance>, share: u32) {
-        self.color = self.color.plus(part(clipped(color), share));
+    /// Adds a ray to the sum; `weight` is in Q32.
+    pub(super) fn add(&mut self, color: Color<Radiance>, weight: u32) {
+        self.color = self.color.plus(weighted(clip(color), weight));
     }
 }
 
-/// `U2F30 * U0F32 -> U2F30`
-fn part(color: Color<Radiance>, share: u32) -> Color<Radiance> {
-    color.map(|c| Radiance::from_bits((wide(c.to_bits(), share) >> 32) as u32))
+/// Multiplies a color by a weight: `U2F30 * U0F32 -> U2F30`, rounded down.
+fn weighted(color: Color<Radiance>, weight: u32) -> Color<Radiance> {
+    color.map(|c| Radiance::from_bits((wide(c.to_bits(), weight) >> 32) as u32))
 }
 
-/// Light beyond 1 is not shown.
-fn clipped(color: Color<Radiance>) -> Color<Radiance> {
+/// Clips the channels of a color to 0..=1.
+fn clip(color: Color<Radiance>) -> Color<Radiance> {
     color.map(|c| c.min(Radiance::ONE))
 }

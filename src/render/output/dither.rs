@@ -1,32 +1,31 @@
-//! Ordered dithering (Bayer 1973): a threshold for each pixel of a tile.
+//! Ordered dithering (Bayer 1973) with an 8x8 tile of thresholds.
 //!
-//! Random and blue-noise tiles of that size look coarser, larger ones repeat
-//! less but have no exact mean in a small box, which is what an eye sees.
+//! Random and blue-noise tiles of this size look coarser. Larger tiles repeat less often, but do
+//! not have an exact mean over the small areas that the eye averages.
 
-/// Half a level: rounding to the nearest.
+/// Threshold that rounds to the nearest level: half a level in Q16.
 const HALF: u32 = 1 << 15;
 
-/// The side of the tile, a power of two.
+/// Side of the tile in pixels, a power of two.
 const SIDE: usize = 8;
 
-/// What becomes of values between two levels of a display's channel.
+/// Dithering of values between two levels of a display channel.
 ///
-/// Either way a value that has a level of its own is shown as that.
+/// A value that equals a level is never changed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Dither {
-    /// The level below or above, by a pattern of 8x8 pixels: the mean of any 8x8
-    /// pixels of one color is within 1/128 of a level of it. Colors of 8 bits a
-    /// channel are shown as if by [`Dither::Off`].
+    /// Selects the level below or above by an 8x8 pattern. The mean of any 8x8 pixels of one color
+    /// is within 1/128 of a level of that color. Channels of 8 bits are rounded to the nearest
+    /// level instead.
     #[default]
     Ordered,
-    /// The nearest level.
+    /// Rounds to the nearest level.
     Off,
 }
 
 impl Dither {
-    /// What is added to a value of pixel (x, y), in steps of 2^-16 of a level,
-    /// before it is rounded down; `is_coarse` tells a channel of fewer than 8
-    /// bits.
+    /// Returns the threshold of pixel (x, y), which is added to a value before rounding down, in
+    /// Q16 levels. `is_coarse` is true for channels of fewer than 8 bits.
     #[inline(always)]
     pub(crate) fn threshold(self, x: i32, y: i32, is_coarse: bool) -> u32 {
         match self {
@@ -36,11 +35,11 @@ impl Dither {
     }
 }
 
-/// Which pixel of a tile is the first to fall back to the level below.
+/// Rank of each pixel of the tile, 0 to 63: pixels of high rank reach the level above first.
 ///
-/// Bayer's order, but for each four in a row, which are four pixels apart: they
-/// take turns so that a ramp from black to white over 240 to 320 columns keeps
-/// its mean in each tile to one pixel of 64, even in black and white.
+/// The order is Bayer's, except that each four consecutive ranks, whose pixels are four apart,
+/// are permuted. A ramp from black to white over 240 to 320 columns then keeps its mean in each
+/// tile within one pixel of 64, even in black and white.
 #[rustfmt::skip]
 const ORDER: [[u8; SIDE]; SIDE] = [
     [0, 33, 10, 40, 3, 34, 9, 43],
@@ -53,7 +52,7 @@ const ORDER: [[u8; SIDE]; SIDE] = [
     [62, 30, 52, 22, 61, 29, 55, 21],
 ];
 
-/// The middles of 64 equal parts of a level, in that order.
+/// Thresholds in Q16 levels: the centers of 64 equal parts of a level, ordered by `ORDER`.
 static THRESHOLDS: [[u16; SIDE]; SIDE] = {
     let mut thresholds = [[0; SIDE]; SIDE];
     let mut index = 0;

@@ -35,11 +35,11 @@ pub(super) fn break_off(port: &Port, scene: &Path) -> Result<()> {
         ),
         (
             framed(&newer)?,
-            "refused 0007: compiled for another format, 4: compile it anew",
+            "refused 0007: unsupported format version 4, expected 3: recompile the scene",
         ),
         (
             framed(&crowd()?)?,
-            "refused 0007: more objects than the 64 there is room for",
+            "refused 0007: too many objects: the buffer holds 64",
         ),
     ] {
         let answer = port.ask(&bytes)?;

@@ -1,0 +1,50 @@
+use embedded_graphics_core::geometry::{Point, Size};
+use embedded_graphics_core::primitives::Rectangle;
+
+use crate::render::column_range::ColumnRange;
+
+/// Rest of a row of blocks, clipped to the picture.
+pub(crate) struct RowSpan {
+    pub(crate) y: u32,
+    /// Columns of the pixels to trace.
+    pub(crate) columns: ColumnRange,
+    /// Side of a block in pixels.
+    pub(crate) block: u8,
+    /// Bottom end of the area, exclusive.
+    pub(crate) bottom: u32,
+}
+
+impl RowSpan {
+    /// Returns a row of single pixels.
+    pub(crate) fn line(y: u32, columns: ColumnRange) -> Self {
+        Self {
+            y,
+            columns,
+            block: 1,
+            bottom: y.saturating_add(1),
+        }
+    }
+
+    /// Returns true if all pixels of the columns are traced, without gaps.
+    pub(crate) fn is_contiguous(&self) -> bool {
+        self.columns.spacing == 0
+    }
+
+    /// Returns the area of a row of single pixels.
+    pub(crate) fn area(&self) -> Rectangle {
+        let ColumnRange { from, to, .. } = self.columns;
+        Rectangle::new(self.point(from), Size::new(to - from, 1))
+    }
+
+    /// Returns the block whose top left pixel is in column `x`, clipped to the area.
+    pub(crate) fn block_at(&self, x: u32) -> Rectangle {
+        let side = |start: u32, end: u32| u32::from(self.block).min(end.saturating_sub(start));
+        let size = Size::new(side(x, self.columns.to), side(self.y, self.bottom));
+        Rectangle::new(self.point(x), size)
+    }
+
+    /// Returns the position of the pixel in column `x`.
+    pub(crate) fn point(&self, x: u32) -> Point {
+        Point::new(x as i32, self.y as i32)
+    }
+}

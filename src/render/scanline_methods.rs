@@ -1,0 +1,61 @@
+/// Defines the public methods that [`Renderer`](crate::Renderer) and
+/// [`AntialiasedRenderer`](crate::render::AntialiasedRenderer) have in common.
+///
+/// The type must have the fields `rays` (its `CameraRays`), `output` and `observer`, and a method
+/// `pixels(&mut self, y)`, which returns an iterator over the columns and colors of line `y`.
+macro_rules! scanline_methods {
+    () => {
+        /// Returns the observer.
+        pub fn observer(&self) -> &O {
+            &self.observer
+        }
+
+        /// Returns the conversion of linear colors to display colors.
+        pub fn output(&self) -> $crate::render::Output {
+            self.output
+        }
+
+        /// Sets the conversion of linear colors to display colors, for lines drawn from now on.
+        pub fn set_output(&mut self, output: $crate::render::Output) {
+            self.output = output;
+        }
+
+        /// Returns the size of the picture in pixels.
+        pub fn size(&self) -> embedded_graphics_core::geometry::Size {
+            embedded_graphics_core::geometry::Size::new(self.rays.width, self.rays.height)
+        }
+
+        /// Returns the linear colors of line `y`, from left to right. The iterator is empty if `y`
+        /// is outside the picture.
+        pub fn line(&mut self, y: u32) -> impl Iterator<Item = $crate::Color<$crate::Radiance>> {
+            self.pixels(y).map(|(_, color)| color)
+        }
+
+        /// Renders line `y` into a slice, for example to send it by DMA while the next line is
+        /// rendered.
+        ///
+        /// Pixels of the slice beyond the width of the picture are not changed.
+        pub fn render_line<P: $crate::render::DisplayColor>(&mut self, y: u32, line: &mut [P]) {
+            let output = self.output;
+            for (pixel, (x, color)) in line.iter_mut().zip(self.pixels(y)) {
+                let at = embedded_graphics_core::geometry::Point::new(x as i32, y as i32);
+                *pixel = P::from_radiance(color, at, output);
+            }
+        }
+
+        /// Draws line `y` by one call of `fill_contiguous`.
+        ///
+        /// # Errors
+        /// The error of the display. The line can be drawn again.
+        pub fn draw_line<D>(&mut self, y: u32, target: &mut D) -> Result<(), D::Error>
+        where
+            D: embedded_graphics_core::draw_target::DrawTarget<Color: $crate::render::DisplayColor>,
+        {
+            let row = $crate::render::row_span::RowSpan::line(y, self.rays.columns());
+            let output = self.output;
+            $crate::render::fill::fill_line(&row, self.pixels(y), output, target)
+        }
+    };
+}
+
+pub(super) use scanline_methods;
