@@ -62,7 +62,7 @@ impl Vec3<Unit> {
 
     /// Restores unit length by one Newton step, n (3 - n²) / 2.
     ///
-    /// Needs no square root. A length within 2^-16 of 1 comes out exact except for rounding.
+    /// Needs no square root. A length within 2^-16 of 1 becomes 1 except for rounding.
     #[inline]
     pub(crate) fn renormalized(self) -> Self {
         // Q60 -> Q30: `excess` has few significant bits.
