@@ -1,13 +1,18 @@
-//! Where the fields of an item go to or come from: one list serves both ways.
+//! Serialization of the fields of an item.
 //!
-//! Nothing is inlined: there are many fields, and they are read once.
+//! An item lists its fields once, in [`Fields::visit`]. The list serves to count, write and
+//! read them, depending on the [`Archive`]. Numbers are stored as little-endian bits.
+//!
+//! Functions are `#[inline(never)]` to save flash: an item has many fields, and each is read
+//! once.
 
 use fixed::traits::Fixed;
 
 use crate::math::{Color, Vec3};
 
-/// Where fields go to or come from.
+/// Destination or source of bytes.
 pub(crate) trait Archive {
+    /// Writes `bytes`, or replaces them by bytes that were read.
     fn bytes<const N: usize>(&mut self, bytes: &mut [u8; N]);
 
     /// Notes that a field needs a Cargo feature that is off.
@@ -16,8 +21,8 @@ pub(crate) trait Archive {
     }
 }
 
-/// Counts bytes.
-pub(crate) struct Counter(pub(super) usize);
+/// An archive that counts bytes.
+pub(crate) struct Counter(pub(crate) usize);
 
 impl Archive for Counter {
     fn bytes<const N: usize>(&mut self, _: &mut [u8; N]) {
@@ -25,9 +30,10 @@ impl Archive for Counter {
     }
 }
 
-/// Writes until there is no more room.
+/// An archive that writes to a slice.
 pub(crate) struct Writer<'a> {
     pub(crate) out: &'a mut [u8],
+    /// Bytes written, including those dropped because `out` was full.
     pub(crate) written: usize,
 }
 
@@ -40,9 +46,10 @@ impl Archive for Writer<'_> {
     }
 }
 
-/// Reads; zeros past the end, which is remembered.
+/// An archive that reads from a slice, and reads zeros past its end.
 pub(crate) struct Reader<'a> {
     pub(crate) bytes: &'a [u8],
+    /// True if a read went past the end.
     pub(crate) short: bool,
     /// Cargo feature that a field needs and that is off.
     pub(crate) missing: Option<&'static str>,
@@ -63,8 +70,9 @@ impl Archive for Reader<'_> {
     }
 }
 
-/// An item that is a list of fields.
+/// An item that consists of fields.
 pub(crate) trait Fields {
+    /// Writes each field to `archive`, or replaces each field by the value read from it.
     fn visit(&mut self, archive: &mut impl Archive);
 }
 
@@ -83,7 +91,7 @@ macro_rules! integers {
 
 integers!(u8, i8, u16, i32, u32, i64);
 
-/// A number of the `fixed` crate by its bits.
+/// Visits a fixed-point number.
 #[inline(never)]
 pub(crate) fn fixed<F, const N: usize>(value: &mut F, archive: &mut impl Archive)
 where
@@ -94,6 +102,7 @@ where
     *value = F::from_le_bytes(bytes);
 }
 
+/// Visits the components of a vector: x, y, z.
 #[inline(never)]
 pub(crate) fn vector<F, const N: usize>(v: &mut Vec3<F>, archive: &mut impl Archive)
 where
@@ -104,6 +113,7 @@ where
     fixed(&mut v.z, archive);
 }
 
+/// Visits the channels of a color: red, green, blue.
 #[inline(never)]
 pub(crate) fn color<F, const N: usize>(c: &mut Color<F>, archive: &mut impl Archive)
 where

@@ -1,25 +1,55 @@
-//! Number formats, vectors, colors and the integer arithmetic under them.
+//! Number formats, vectors, colors and fixed-point arithmetic.
+//!
+//! Files depend on each other in this order: formats and products; shifts and rounding of
+//! words; reciprocals, roots and powers; colors and vectors; angles. The folder imports
+//! nothing from the rest of the library.
+//!
+//! Functions on the path of every ray are `#[inline(always)]`. A function named
+//! `..._outlined` does the work of its namesake by a call, to save flash where it runs rarely.
 
-pub(crate) mod color;
+mod color;
 mod crc32;
 mod decimal;
-mod fixed;
-pub(crate) mod outlined;
+mod format;
+mod inverse_length;
+mod length_vector;
+mod normal;
+mod power;
 mod product;
+mod quadratic_table;
+mod quotient_limit;
+mod reciprocal;
+mod reciprocal_root;
 mod rotation;
+mod scale;
+mod soft_float;
+mod square_root;
 mod tangent;
-pub(crate) mod vector;
+mod unit_vector;
+mod vec3;
+mod word;
 
 pub use color::Color;
 pub use crc32::Crc32;
-pub use fixed::{Radiance, Real};
-pub use vector::Vec3;
+pub use format::{Radiance, Real};
+pub use vec3::Vec3;
 
 pub(crate) use decimal::Decimal;
-pub(crate) use fixed::*;
-pub(crate) use product::{Product, Square};
-pub(crate) use rotation::Rotation;
-pub(crate) use tangent::tangent_of_half;
-pub(crate) use vector::{
-    bits, direction, high, normalize, round_length, round_unit, scaled, upper_word,
+pub(crate) use format::{
+    Factor, Intensity, Length, NEAR_LIMIT, Unit, Weight, factor, radiance, weight,
 };
+pub(crate) use inverse_length::{InverseLength, inverse_length, inverse_length_outlined};
+pub(crate) use long_multiply::{leading_zeros, rounded};
+pub(crate) use normal::component_along;
+pub(crate) use power::power;
+pub(crate) use product::{Product, Square, wide};
+pub(crate) use quotient_limit::quotient_reaches;
+pub(crate) use reciprocal::{reciprocal, reciprocal_outlined};
+pub(crate) use reciprocal_root::reciprocal_root;
+pub(crate) use rotation::Rotation;
+pub(crate) use scale::{normalize, scaled};
+pub(crate) use soft_float::{SoftFloat, quotient, upper_product};
+pub(crate) use square_root::square_root;
+pub(crate) use tangent::tangent_of_half;
+pub(crate) use unit_vector::direction;
+pub(crate) use word::{bits, high, round_length, round_unit, upper_word};

@@ -1,11 +1,9 @@
 use heapless::Vec;
 
-use crate::codec;
 use crate::geometry::{CullSphere, LightCone};
-use crate::prepare::{
-    self, Light, Material, Object, PreparedScene, SceneLists, SceneSink, Settings,
-};
+use crate::prepare::{Light, Material, Object, PreparedScene, SceneLists, SceneSink, Settings};
 use crate::scene::{CapacityError, DecodeError, Scene, SceneError};
+use crate::{codec, prepare};
 
 /// Memory for a prepared scene, in a `static` or on the stack, with a capacity of objects,
 /// lights and materials.

@@ -1,4 +1,7 @@
-//! Tests of the library's arithmetic against exact arithmetic.
+//! Tests of the arithmetic and of each stage of tracing against exact results.
 
+mod arithmetic;
 mod error_bounds;
 mod exact;
+mod largest_error;
+mod random;

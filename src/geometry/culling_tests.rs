@@ -59,7 +59,7 @@ fn culling_keeps_rays_that_hit_the_bounding_sphere() {
         }
         let towards = bound.center + side;
         let way = (towards - origin).map(|c| i64::from(c.to_bits()));
-        let Some(direction) = vector::direction(way) else {
+        let Some(direction) = direction(way) else {
             continue;
         };
         let [off, along] = passes(&bound, origin, direction);
@@ -104,13 +104,13 @@ fn culling_keeps_rays_that_hit_a_member_of_a_group() {
         let mut towards = middle + point(random, 0.5 * spread);
         if random.bool() {
             let [one, other] = bounds.map(|bound| bound.center);
-            let Some(away) = vector::direction((one - other).map(|c| c.to_bits().into())) else {
+            let Some(away) = direction((one - other).map(|c| c.to_bits().into())) else {
                 continue;
             };
             towards = one + away.times(radius - (radius >> 7));
         }
         let way = (towards - origin).map(|c| i64::from(c.to_bits()));
-        let Some(direction) = vector::direction(way) else {
+        let Some(direction) = direction(way) else {
             continue;
         };
         let may_meet = group.may_hit(to_q12(origin), to_q16(direction));

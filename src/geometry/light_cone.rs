@@ -2,8 +2,9 @@ use fixed::types::I8F56;
 
 use super::bounding_sphere::BoundingSphere;
 use super::low_precision::dot;
-use crate::math::outlined::{inverse_length, to_bits};
-use crate::math::{Length, Square, Vec3, normalize, quotient, square_root};
+use crate::math::{
+    Length, Square, Vec3, inverse_length_outlined, normalize, quotient, square_root,
+};
 
 /// The cone that the bounding sphere of an object fills as seen from a light: 12 bytes.
 #[derive(Clone, Copy, Debug)]
@@ -40,10 +41,10 @@ impl LightCone {
         if tangent_squared > 0 {
             // Q56 -> Q28
             let root = |square: I8F56| u64::from(square_root(square.to_bits() as u64));
-            let cosine = to_bits(quotient(root(tangent_squared).max(1), root(square)));
+            let cosine = quotient(root(tangent_squared).max(1), root(square)).to_bits();
             cone.min_cosine = cosine as i32 - MARGIN;
             // Q30 -> Q14, rounded
-            let inverse = inverse_length(square.to_bits() as u64);
+            let inverse = inverse_length_outlined(square.to_bits() as u64);
             let axis = -normalize(to_center.map(Length::to_bits), inverse);
             cone.axis = axis.map(|c| ((c.to_bits() + (1 << 15)) >> 16) as i16);
         }

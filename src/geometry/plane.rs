@@ -1,25 +1,23 @@
 //! Planes, unbounded or clipped to a box.
 
-use long_multiply::IS_CALL;
-
 use super::bounding_sphere::BoundingSphere;
 use super::clip_box::ClipBox;
 use super::extent::Extent;
-use super::limits;
 use super::normalization::{Normalization, OFFSET_BITS};
 use super::point::{HORIZON, NEAR, Point};
 use super::primitive::{AuthoredShape, Primitive, PrimitivePart};
 use super::ray::Ray;
 use super::shadow_segment::ShadowSegment;
 use super::surface::SurfaceFlags;
-use super::valid;
-use crate::archive::{self, Archive, Fields};
+use super::{limits, valid};
+use crate::archive::{Archive, Fields};
 use crate::math::{
-    Length, NEAR_LIMIT, Product, Real, SoftFloat, Unit, Vec3, bits, direction, leading_zeros,
-    outlined, quotient, reciprocal, rounded, scaled, wide,
+    Length, Real, SoftFloat, Unit, Vec3, bits, component_along, direction, leading_zeros, quotient,
+    quotient_reaches, reciprocal, reciprocal_outlined, scaled, wide,
 };
 use crate::observer::{Observer, ShapeKind};
-use crate::scene::{self, SceneError, SceneItem, SceneProblem};
+use crate::scene::{SceneError, SceneItem, SceneProblem};
+use crate::{archive, scene};
 
 /// Tag of an unbounded plane in a compiled scene.
 pub(super) const TAG: u8 = 1;
@@ -196,26 +194,13 @@ impl Plane {
         light_depth.signum() * i64::from(cosine.signum()) < 0
     }
 
-    /// Component of a vector of any steps, shorter than 2^31, along the normal.
-    #[inline(always)]
-    fn along(&self, v: Vec3<i32>) -> i32 {
-        let n = self.normal.map(Unit::to_bits);
-        // Most planes are floors, which need no product. A nearly level normal has y = 1 as
-        // well, once rounded.
-        if n.x | n.z == 0 && n.y > 0 {
-            return v.y;
-        }
-        let sum = v.x.product(n.x) + v.y.product(n.y) + v.z.product(n.z);
-        rounded::<30>(sum)
-    }
-
     /// Distance of the hit of a ray from a near origin: exact if below `limit`, else any
     /// greater distance or none; [`Length::MAX`] if the hit may be in the extended range.
     #[inline(always)]
     fn distance(&self, ray: &Ray, limit: Length) -> Option<Length> {
-        let along = self.along(ray.origin.coordinates.map(Length::to_bits));
+        let along = component_along(ray.origin.coordinates.map(Length::to_bits), self.normal);
         let depth = self.offset - i64::from(along);
-        let cosine = self.along(ray.direction.map(Unit::to_bits));
+        let cosine = component_along(ray.direction.map(Unit::to_bits), self.normal);
         if (depth >> 32) as i32 ^ cosine < 0 {
             return None;
         }
@@ -227,12 +212,7 @@ impl Plane {
             return None;
         }
         // A hit beyond the limit does not need the division.
-        let is_beyond = if IS_CALL && limit == NEAR_LIMIT {
-            depth >= 2 * cosine - (cosine >> 20)
-        } else {
-            u64::from(depth) << 30 >= wide(cosine, limit.to_bits() as u32)
-        };
-        if is_beyond {
+        if quotient_reaches(depth, cosine, limit) {
             let is_out_of_reach = self.is_near && has_left_near_range(ray, limit);
             return (!is_out_of_reach).then_some(Length::MAX);
         }
@@ -255,7 +235,7 @@ impl Plane {
     ) -> Vec3<Length> {
         let [from, to] = [from, to].map(|depth| depth.unsigned_abs() as u32);
         // Q30
-        let share = ratio(from, from + to, outlined::reciprocal);
+        let share = ratio(from, from + to, reciprocal_outlined);
         light + scaled::<30>(to_point.map(Length::to_bits), share).map(Length::from_bits)
     }
 

@@ -98,12 +98,6 @@ pub(crate) trait Primitive: Fields {
     fn normal(&self, point: &Point, part: &PrimitivePart, check_bounds: bool)
     -> Option<Vec3<Unit>>;
 
-    /// Identifies the part of a composite shape that a ray hit; 0 for other shapes.
-    fn part_id(&self, part: &PrimitivePart) -> u32 {
-        let _ = part;
-        0
-    }
-
     /// Number of crossings of a shadow segment, if it is known without a square root.
     ///
     /// `any` if one crossing is enough to occlude the light: a shape then may count no

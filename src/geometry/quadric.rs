@@ -19,7 +19,8 @@ use super::ray::Ray;
 use super::shadow_segment::ShadowSegment;
 use super::surface::SurfaceFlags;
 use super::valid;
-use crate::archive::{self, Archive, Fields};
+use crate::archive;
+use crate::archive::{Archive, Fields};
 use crate::math::{
     Length, Product, SoftFloat, Square, Unit, Vec3, direction, round_length, square_root,
 };

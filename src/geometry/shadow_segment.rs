@@ -1,7 +1,6 @@
 use super::point::Point;
 use super::ray::Ray;
 use super::surface::OriginSurface;
-use crate::math::outlined::to_bits;
 use crate::math::{InverseLength, Length, SoftFloat, Unit, Vec3, normalize};
 
 /// The segment from a light to a point of a surface.
@@ -53,7 +52,7 @@ impl ShadowSegment<'_> {
         distance: SoftFloat,
         visit: &mut dyn FnMut(Point) -> bool,
     ) -> bool {
-        let is_within = (1..self.full_length()).contains(&to_bits(distance));
+        let is_within = (1..self.full_length()).contains(&distance.to_bits());
         !is_within || visit(ray.at_extended(distance))
     }
 

@@ -265,12 +265,6 @@ impl Shape {
         dispatch!(self, it => it.normal(point, part, check_bounds))
     }
 
-    /// See [`Primitive::part_id`].
-    #[inline(always)]
-    pub(crate) fn part_id(&self, part: &PrimitivePart) -> u32 {
-        dispatch!(self, it => it.part_id(part))
-    }
-
     /// See [`Primitive::count_crossings`].
     #[inline(always)]
     pub(crate) fn count_crossings(

@@ -4,15 +4,15 @@ use fixed::types::I8F56;
 
 use super::bounding_sphere::BoundingSphere;
 use super::extent::Extent;
-use super::limits;
 use super::normalization::Normalization;
 use super::point::Point;
 use super::primitive::{AuthoredShape, Primitive, PrimitivePart};
 use super::ray::Ray;
 use super::shadow_segment::ShadowSegment;
 use super::surface::SurfaceFlags;
-use super::valid;
-use crate::archive::{self, Archive, Fields};
+use super::{limits, valid};
+use crate::archive;
+use crate::archive::{Archive, Fields};
 use crate::math::{
     Length, Real, SoftFloat, Square, Unit, Vec3, inverse_length, round_length, square_root,
 };

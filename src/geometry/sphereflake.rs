@@ -17,7 +17,8 @@ use super::primitive::{Primitive, PrimitivePart};
 use super::ray::Ray;
 use super::shadow_segment::ShadowSegment;
 use super::surface::{OriginSurface, SurfaceFlags};
-use crate::archive::{self, Archive, Fields};
+use crate::archive;
+use crate::archive::{Archive, Fields};
 use crate::math::{Length, Unit, Vec3, high};
 use crate::observer::{Observer, ShapeKind};
 use node::Node;
@@ -263,10 +264,6 @@ impl Primitive for Sphereflake {
 
     fn normal(&self, _: &Point, part: &PrimitivePart, _: bool) -> Option<Vec3<Unit>> {
         Some(part.normal)
-    }
-
-    fn part_id(&self, part: &PrimitivePart) -> u32 {
-        part.id
     }
 
     #[inline(always)]

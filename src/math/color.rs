@@ -2,37 +2,39 @@
 
 use long_multiply::by_17_bits;
 
-use crate::math::{Factor, Intensity, Radiance, Real, Weight, wide};
+use super::format::{Factor, Intensity, Radiance, Real, Weight};
+use super::product::wide;
 
 /// A linear color: red, green, blue.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Color<T> {
-    /// Red.
+    /// Red channel.
     pub r: T,
-    /// Green.
+    /// Green channel.
     pub g: T,
-    /// Blue.
+    /// Blue channel.
     pub b: T,
 }
 
 impl<T> Color<T> {
-    /// The color (r, g, b).
+    /// Creates the color (r, g, b).
     pub const fn new(r: T, g: T, b: T) -> Self {
         Self { r, g, b }
     }
 
-    /// The color whose channels are `f` of this one's.
+    /// Applies `f` to each channel.
     #[inline(always)]
     pub fn map<U>(self, f: impl Fn(T) -> U) -> Color<U> {
         Color::new(f(self.r), f(self.g), f(self.b))
     }
 
+    /// Combines two colors channel by channel.
     #[inline(always)]
     pub(crate) fn zip<U, V>(self, other: Color<U>, f: impl Fn(T, U) -> V) -> Color<V> {
         Color::new(f(self.r, other.r), f(self.g, other.g), f(self.b, other.b))
     }
 
-    /// Whether `f` holds for every channel.
+    /// Returns true if `f` holds for all three channels.
     #[inline(always)]
     pub(crate) fn all(self, f: impl Fn(T) -> bool) -> bool {
         f(self.r) && f(self.g) && f(self.b)
@@ -40,22 +42,24 @@ impl<T> Color<T> {
 }
 
 impl Color<Real> {
-    /// The same in each channel.
+    /// Creates a gray with this value in each channel.
     pub const fn gray(value: Real) -> Self {
         Self::new(value, value, value)
     }
 
-    /// A constant, from decimal literals: `Color::lit("0.16", "0.33", "0.68")`.
+    /// Creates a color from decimal literals: `Color::lit("0.16", "0.33", "0.68")`.
     ///
-    /// In a constant a malformed literal is a compile error.
+    /// In a constant, a malformed literal is a compile error.
     pub const fn lit(r: &str, g: &str, b: &str) -> Self {
         Self::new(Real::lit(r), Real::lit(g), Real::lit(b))
     }
 }
 
-/// Every product of colors is one 32-bit multiply: factors are at most 2^15.
+/// Returns the product of two factors, rounded half up: `U1F15 * U1F15 -> U1F15`.
+///
+/// Takes one 32-bit multiply, because factors are at most 2^15.
 #[inline(always)]
-pub(crate) fn product(a: Factor, b: Factor) -> Factor {
+fn multiply(a: Factor, b: Factor) -> Factor {
     Factor::from_bits(((u32::from(a.to_bits()) * u32::from(b.to_bits()) + (1 << 14)) >> 15) as u16)
 }
 
@@ -63,20 +67,22 @@ impl Color<Factor> {
     pub(crate) const WHITE: Self = Self::new(Factor::ONE, Factor::ONE, Factor::ONE);
     pub(crate) const BLACK: Self = Self::new(Factor::ZERO, Factor::ZERO, Factor::ZERO);
 
+    /// Returns true if all channels are 0.
     #[inline(always)]
     pub(crate) fn is_black(self) -> bool {
         self.all(|c| c == Factor::ZERO)
     }
 
-    /// Channel by channel, rounded.
+    /// Multiplies two colors channel by channel, rounded half up.
     #[inline(always)]
     pub(crate) fn filtered(self, filter: Self) -> Self {
-        self.zip(filter, product)
+        self.zip(filter, multiply)
     }
 
-    /// `coefficient * intensity * color`: what a surface reflects of a light.
+    /// Returns the light that a surface with these coefficients reflects:
+    /// `coefficient * intensity * light`, rounded down to 2^-29, at most 1.
     ///
-    /// `U1F15 * U1F15 -> Q30, * U16F16 -> Q29 -> U2F30`; never above 1.
+    /// `U1F15 * U1F15 -> Q30`, `* U16F16 -> Q29`, `-> U2F30`.
     #[inline(always)]
     pub(crate) fn reflect(self, intensity: Intensity, light: Self) -> Color<Radiance> {
         self.zip(light, |coefficient, light| {
@@ -87,15 +93,17 @@ impl Color<Factor> {
 }
 
 impl Color<Weight> {
+    /// Full weight: 1 - 2^-32 in each channel, which stands for 1.
     pub(crate) const ALL: Self = Self::new(Weight::MAX, Weight::MAX, Weight::MAX);
     pub(crate) const BLACK: Self = Self::new(Weight::ZERO, Weight::ZERO, Weight::ZERO);
 
+    /// Returns true if all channels are 0.
     #[inline(always)]
     pub(crate) fn is_black(self) -> bool {
         self.all(|c| c == Weight::ZERO)
     }
 
-    /// The weight of what has a share in it: `U0F32 * U0F32 -> U0F32`.
+    /// Multiplies two weights channel by channel, rounded down: `U0F32 * U0F32 -> U0F32`.
     #[inline(always)]
     pub(crate) fn shared(self, share: Self) -> Self {
         self.zip(share, |weight, share| {
@@ -103,12 +111,12 @@ impl Color<Weight> {
         })
     }
 
-    /// As a filter of light: `U0F32 -> U1F15`, rounded.
+    /// Converts weights to factors, rounded half up: `U0F32 -> U1F15`. Full weight becomes 1.
     pub(crate) fn narrowed(self) -> Color<Factor> {
         self.map(|c| Factor::from_bits(((c.to_bits() >> 16).wrapping_add(1) >> 1) as u16))
     }
 
-    /// `weight * radiance`: `U0F32 * U2F30 -> U2F30`.
+    /// Multiplies a radiance by these weights, rounded down: `U0F32 * U2F30 -> U2F30`.
     #[inline(always)]
     pub(crate) fn weigh(self, radiance: Color<Radiance>) -> Color<Radiance> {
         self.zip(radiance, |weight, radiance| {
@@ -120,13 +128,13 @@ impl Color<Weight> {
 impl Color<Radiance> {
     pub(crate) const BLACK: Self = Self::new(Radiance::ZERO, Radiance::ZERO, Radiance::ZERO);
 
-    /// The sum, saturating just below 4.
+    /// Adds two radiances, saturating just below 4.
     #[inline(always)]
     pub(crate) fn plus(self, other: Self) -> Self {
         self.zip(other, Radiance::saturating_add)
     }
 
-    /// Brighter by a power of two, saturating.
+    /// Multiplies each channel by 2^exponent, saturating just below 4.
     #[inline(always)]
     pub(crate) fn brightened(self, exponent: u32) -> Self {
         self.map(|c| {

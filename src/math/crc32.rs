@@ -1,7 +1,9 @@
-use crate::math::Color;
+use super::color::Color;
 
-/// CRC-32 (IEEE 802.3) of what it is fed: of compiled scenes, and of pictures
-/// that must be the same on every target.
+/// Computes a CRC-32 (IEEE 802.3) of bytes or pixels.
+///
+/// A compiled scene ends with this checksum, and tests compare pictures of different targets
+/// by it.
 ///
 /// ```
 /// use whitted::codec::Crc32;
@@ -14,12 +16,12 @@ use crate::math::Color;
 pub struct Crc32(u32);
 
 impl Crc32 {
-    /// Nothing fed yet.
+    /// Starts a checksum over no bytes.
     pub const fn new() -> Self {
         Self(u32::MAX)
     }
 
-    /// Feeds bytes.
+    /// Adds bytes to the checksum.
     #[inline(never)]
     pub fn update(&mut self, bytes: &[u8]) {
         for byte in bytes {
@@ -27,24 +29,23 @@ impl Crc32 {
         }
     }
 
-    /// Feeds a pixel: red, green and blue as big-endian words, as a 16-bit
-    /// PNG keeps them.
+    /// Adds a pixel: red, green and blue as big-endian 16-bit words, the order of a 16-bit PNG.
     pub fn update_pixel(&mut self, Color { r, g, b }: Color<u16>) {
         for channel in [r, g, b] {
             self.update(&channel.to_be_bytes());
         }
     }
 
-    /// The checksum of all that was fed.
+    /// Returns the checksum of all bytes added.
     pub const fn finish(self) -> u32 {
         !self.0
     }
 }
 
-/// The register, eight bits on.
+/// Advances the CRC register by eight bits, four bits at a time.
 ///
-/// By four bits at once: a table for eight would take 1 KB. Not inlined, as loops around it
-/// would be unrolled, far from anything hot.
+/// A table of 16 words takes 64 bytes; one for eight bits at a time would take 1 KB. Inlined,
+/// the compiler would unroll the loops of all callers and take more flash.
 #[inline(never)]
 fn shifted(register: u32) -> u32 {
     (0..2).fold(register, |register, _| {
@@ -52,7 +53,7 @@ fn shifted(register: u32) -> u32 {
     })
 }
 
-/// What the four bits that leave the register do to the others.
+/// CRC of each value of the four bits that leave the register.
 static FOUR_BITS: [u32; 16] = {
     let mut table = [0; 16];
     let mut bits = 0;

@@ -1,12 +1,12 @@
-//! Authored numbers as text. What the `fixed` crate has for it may panic, as far
-//! as the compiler can see.
+//! Authored numbers as text.
+//!
+//! The `Display` of the `fixed` crate contains panic paths, which firmware must not link.
 
 use core::fmt::{self, Display, Formatter, Write};
 
-use super::Real;
+use super::format::Real;
 
-/// Displays a number by the fewest decimals that tell it from its neighbors
-/// (Steele and White, 1990).
+/// Displays a number with the fewest decimals that identify it (Steele and White, 1990).
 pub(crate) struct Decimal(pub(crate) Real);
 
 impl Display for Decimal {
@@ -24,10 +24,10 @@ impl Display for Decimal {
     }
 }
 
-/// The decimals of a fraction above 0, `U0F32`.
+/// Writes the decimals of a fraction above 0, given as `U0F32`.
 fn decimals(fraction: u32, f: &mut Formatter<'_>) -> fmt::Result {
-    /// In halves of a step, as is all that follows: less than half a step off
-    /// is near enough.
+    // `rest` is what remains to be written and `near` half a step of the number, both in
+    // steps of 2^-33. Digits end once the number written is within half a step.
     const ONE: u64 = 1 << 33;
     let mut rest = u64::from(fraction) << 1;
     let mut near = 1;
@@ -51,7 +51,7 @@ mod tests {
     use std::string::ToString;
 
     #[test]
-    fn numbers_look_as_the_fixed_crate_shows_them() {
+    fn matches_display_of_the_fixed_crate() {
         let edges = [0, 1, 2, -1, 1 << 31, 1 << 32, i64::MAX, i64::MIN, 4295];
         let mut state = 1_i64;
         let random = (0..if cfg!(miri) { 200 } else { 100_000 }).map(|shift| {

@@ -1,15 +1,18 @@
-//! Full products of two numbers of 32 bits.
+//! Full products of two 32-bit numbers.
+//!
+//! A product is one instruction on Armv7-M and later. On Armv6-M a product takes 19
+//! instructions with its call, and a square 10 without a call.
 
 use core::ops::Add;
 
 use fixed::{FixedI32, FixedI64};
 
-/// The full product of two numbers, exact.
+/// Exact multiplication of two 32-bit numbers.
 pub(crate) trait Product<Other = Self> {
-    /// Twice as wide, with the fraction bits of both.
+    /// 64-bit format with the fraction bits of both operands.
     type Output;
 
-    /// self * other
+    /// Returns `self * other`, exact.
     fn product(self, other: Other) -> Self::Output;
 }
 
@@ -45,12 +48,12 @@ impl<F: Add<G>, G> Product<FixedI32<G>> for FixedI32<F> {
     }
 }
 
-/// The full square of a number, exact: cheaper than a product.
+/// Exact square of a 32-bit number.
 pub(crate) trait Square {
-    /// Twice as wide, with twice the fraction bits.
+    /// 64-bit format with twice the fraction bits.
     type Output;
 
-    /// self * self
+    /// Returns `self * self`, exact. Cheaper than a product on Armv6-M.
     fn square(self) -> Self::Output;
 }
 
@@ -68,4 +71,10 @@ impl<F: Add> Square for FixedI32<F> {
     fn square(self) -> Self::Output {
         FixedI64::from_bits(self.to_bits().square())
     }
+}
+
+/// Returns the full product of two unsigned words, exact.
+#[inline(always)]
+pub(crate) fn wide(a: u32, b: u32) -> u64 {
+    a.product(b)
 }

@@ -1,24 +1,28 @@
-//! A tangent without floats.
+//! The tangent of half the field of view, without floats.
 
-use crate::math::{Real, reciprocal, wide};
+use super::format::Real;
+use super::product::wide;
+use super::reciprocal::reciprocal;
 
-/// Steps of 2^-60.
+/// 1 in Q60.
 const ONE: i64 = 1 << 60;
 
+/// Returns the product, rounded down: `Q60 * Q60 -> Q60`.
 #[inline(never)]
 fn multiply(a: i64, b: i64) -> i64 {
     ((i128::from(a) * i128::from(b)) >> 60) as i64
 }
 
-/// tan(angle / 2) for an angle of 1 to 170 degrees, as `U4F28`.
+/// Returns tan(degrees / 2) as `U4F28`, for an angle of 1 to 170 degrees.
 ///
-/// Sine and cosine by their Taylor series, to 2^-55; the quotient to 2^-28.
+/// Sums twelve terms of the Taylor series of sine and cosine, to 2^-55. The quotient has an
+/// error below 2^-27 * (1 + tangent).
 pub(crate) fn tangent_of_half(degrees: Real) -> u32 {
     const PI_BY_360: i64 = ((fixed::consts::PI.to_bits() / 360) >> 66) as i64;
     // Q32 * Q60 -> Q60
     let x = ((i128::from(degrees.to_bits()) * i128::from(PI_BY_360)) >> 32) as i64;
     let square = multiply(x, x);
-    // 1 - x²/(k(k+1)) (1 - x²/((k+2)(k+3)) (1 - ...))
+    // 1 - x²/(k(k+1)) (1 - x²/((k+2)(k+3)) (1 - ...)), where k = first
     let series = |first: i64| {
         (0..12)
             .rev()
@@ -39,7 +43,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn tangents_agree_with_std() {
+    fn agrees_with_std() {
         for degrees in 1..=170_i32 {
             let exact = (f64::from(degrees) / 2.0).to_radians().tan();
             let got = f64::from(tangent_of_half(Real::from(degrees))) / 2_f64.powi(28);

@@ -2,7 +2,8 @@ use super::settings::Camera;
 use super::validate;
 use crate::geometry::Normalization;
 use crate::math::{Real, direction, tangent_of_half};
-use crate::scene::{self, SceneError, SceneItem, SceneProblem};
+use crate::scene;
+use crate::scene::{SceneError, SceneItem, SceneProblem};
 
 fn error(field: &'static str, problem: SceneProblem) -> SceneError {
     SceneError {

@@ -1,5 +1,6 @@
 use crate::math::{Color, Real};
-use crate::scene::{self, Background, Scene};
+use crate::scene;
+use crate::scene::{Background, Scene};
 
 /// Returns `ka * ia`.
 pub(super) fn ambient(material: &scene::Material, scene: &Scene<'_>) -> Color<Real> {

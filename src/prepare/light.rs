@@ -1,4 +1,5 @@
-use crate::archive::{self, Archive, Fields};
+use crate::archive;
+use crate::archive::{Archive, Fields};
 use crate::geometry::{SurfaceFlags, valid};
 use crate::math::{Color, Factor, Length, Vec3};
 

@@ -1,10 +1,11 @@
 use super::exposure::ambient;
-use crate::archive::{self, Archive, Fields};
+use crate::archive::{Archive, Fields};
 use crate::geometry::valid;
 use crate::math::{
     Color, Factor, Length, Radiance, Real, Weight, factor, power, radiance, reciprocal, weight,
 };
-use crate::scene::{self, Scene, SpecularModel};
+use crate::scene::{Scene, SpecularModel};
+use crate::{archive, scene};
 
 /// A material: 68 bytes.
 #[derive(Clone, Copy, Debug, Default)]

@@ -1,4 +1,5 @@
-use crate::geometry::{self, Extent, Normalization};
+use crate::geometry;
+use crate::geometry::{Extent, Normalization};
 use crate::math::Real;
 use crate::scene::Scene;
 

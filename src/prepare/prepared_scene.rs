@@ -1,14 +1,14 @@
 use heapless::VecView;
 
-use super::culling;
 use super::light::Light;
 use super::material::Material;
 use super::object::Object;
 use super::settings::Settings;
-use super::{camera, validate};
+use super::{camera, culling, validate};
 use crate::geometry::{CullSphere, LightCone, Point};
 use crate::math::{Color, Factor, Real};
-use crate::scene::{self, CapacityError, SceneCounts, SceneError};
+use crate::scene;
+use crate::scene::{CapacityError, SceneCounts, SceneError};
 
 /// Receives the items of a scene while it is prepared or decoded.
 ///

@@ -1,7 +1,7 @@
-use crate::archive::{self, Archive, Fields};
+use crate::archive::{Archive, Fields};
 use crate::geometry::{MAX_EXPONENT, NEAR, Normalization, valid};
 use crate::math::{Color, Factor, Length, Radiance, Real, Unit, Vec3};
-use crate::scene;
+use crate::{archive, scene};
 
 /// Largest number of secondary generations of rays.
 pub(crate) const MAX_DEPTH: u8 = 32;

@@ -1,6 +1,7 @@
 use crate::geometry::{Checker, Normalization, Texture, limits};
 use crate::math::{Vec3, reciprocal};
-use crate::scene::{self, Axis, SceneError, SceneItem};
+use crate::scene;
+use crate::scene::{Axis, SceneError, SceneItem};
 
 /// Prepares the texture of an object.
 pub(super) fn texture(

@@ -1,7 +1,8 @@
 //! Checks of an authored scene that do not depend on its scale.
 
 use super::settings::MAX_DEPTH;
-use crate::geometry::{self, limits};
+use crate::geometry;
+use crate::geometry::limits;
 use crate::math::{Color, Factor, Real, factor};
 use crate::scene::{
     Background, Camera, Light, Material, MaterialId, Object, Scene, SceneError, SceneItem,

@@ -4,7 +4,7 @@
 //! camera's forward, right and up vectors, `X = (2x + 1 - width) g`, `Y = (height - 2y - 1) g` and
 //! `g = tan(fovy / 2) / height`, half the size of a pixel at distance 1.
 
-use crate::math::outlined::{reciprocal, to_bits};
+use crate::math::reciprocal_outlined;
 use crate::math::{Length, Product, Unit, Vec3, quotient, square_root, wide};
 use crate::prepare::Camera;
 use crate::render::column_range::ColumnRange;
@@ -41,7 +41,7 @@ impl CameraRays {
         let (width, height) = (width.min(MAX_SIDE), height.min(MAX_SIDE));
         // tangent / height: U4F28 * U1F31 -> U6F58
         let shift = height.max(1).leading_zeros();
-        let g = wide(camera.tangent, reciprocal(height.max(1) << shift)) >> (33 - shift);
+        let g = wide(camera.tangent, reciprocal_outlined(height.max(1) << shift)) >> (33 - shift);
         let scale = direction_scale(g, [width, height]);
         // g scaled, as a 32-bit mantissa and a shift.
         let scaled_g = (wide((g >> 32) as u32, scale) << 1) + (wide(g as u32, scale) >> 31);
@@ -103,7 +103,7 @@ fn direction_scale(g: u64, [width, height]: [u32; 2]) -> u32 {
     let square = |side| square_above(side, coarser);
     let longest_squared = square(1 << 28) + square(sides[0]) + square(sides[1]);
     let longest = u64::from(square_root(longest_squared)) << coarser;
-    to_bits(quotient(7 << 26, longest)) as u32
+    quotient(7 << 26, longest).to_bits() as u32
 }
 
 /// Returns `v * factor / 2^shift`, rounded down.

@@ -1,9 +1,9 @@
 //! Plane through the eye that contains the camera rays of a scanline.
 
 use crate::geometry::{Plane, Point};
-use crate::math::outlined::{inverse_length, to_bits};
 use crate::math::{
-    Length, Product, SoftFloat, Square, Unit, Vec3, high, quotient, square_root, wide,
+    Length, Product, SoftFloat, Square, Unit, Vec3, high, inverse_length_outlined, quotient,
+    square_root, wide,
 };
 use crate::prepare::Camera;
 use crate::render::camera_rays::CameraRays;
@@ -29,7 +29,7 @@ impl ScanlinePlane {
         let elevation = rays.elevation(y);
         // 1 + Y² in Q48, its root (1 to 12) in Q24, and the inverse of the root in Q30.
         let square = (1 << 48) + (elevation.square() >> 4) as u64;
-        let inverse = inverse_length(square);
+        let inverse = inverse_length_outlined(square);
         let cosine = (inverse.inverse >> 9_u32.saturating_sub(inverse.half_shift)) as i32;
         // Q26 * Q30 -> Q30
         let sine = (elevation.product(cosine) >> 26) as i32;

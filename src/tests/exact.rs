@@ -1,77 +1,60 @@
-//! Arithmetic of formats against exact integers: a million random operands for
-//! each operation, at the ends of their ranges as often as within.
+//! Operations that are exact, or round an exact result, against 128-bit integers.
 //!
-//! The tests are built with `overflow-checks`, so they also show that nothing
-//! overflows on the ranges that docs/fixed-point.md names.
-
-#![cfg(test)]
+//! Each operation gets a million random operands, many of them at the ends of their ranges.
+//! Tests are built with `overflow-checks`, so the operations do not overflow either on the
+//! ranges that docs/fixed-point.md lists.
 
 extern crate std;
 
 use std::println;
 
+use fastrand::Rng;
+
 use crate::math::{
-    Color, Factor, Intensity, Length, Product, Radiance, Real, Square, Unit, Vec3, Weight, color,
+    Color, Factor, Intensity, Length, Product, Radiance, Real, Square, Unit, Vec3, Weight,
     round_length, round_unit, wide,
 };
 use crate::observer;
+use crate::tests::random::within;
 
 /// Miri takes a thousand times as long for each.
 const CASES: u32 = if cfg!(miri) { 200 } else { 1_000_000 };
 
-/// Steele, Lea and Flood 2014: SplitMix64.
-struct Random(u64);
-
-impl Random {
-    fn word(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    /// Either end of a range, or any magnitude within.
-    fn within(&mut self, least: i64, most: i64) -> i64 {
-        let word = self.word();
-        let number = match word & 7 {
-            0 => least,
-            1 => most,
-            _ => self.word() as i64 >> (word >> 3 & 63),
-        };
-        number.clamp(least, most)
-    }
-
-    fn word32(&mut self) -> i32 {
-        self.within(i32::MIN.into(), i32::MAX.into()) as i32
-    }
-
-    /// Up to 1 in each component.
-    fn unit(&mut self) -> Vec3<Unit> {
-        let mut c = || Unit::from_bits(self.within(-1 << 30, 1 << 30) as i32);
-        Vec3::new(c(), c(), c())
-    }
-
-    /// Less than 8 long.
-    fn length(&mut self) -> Vec3<Length> {
-        // 8 / sqrt(3)
-        const MOST: i64 = 1_239_850_262;
-        let mut c = || Length::from_bits(self.within(-MOST, MOST) as i32);
-        Vec3::new(c(), c(), c())
-    }
-
-    fn factors(&mut self) -> Color<Factor> {
-        let mut c = || Factor::from_bits(self.within(0, 1 << 15) as u16);
-        Color::new(c(), c(), c())
-    }
-
-    fn radiance(&mut self) -> Color<Radiance> {
-        let mut c = || Radiance::from_bits(self.within(0, u32::MAX.into()) as u32);
-        Color::new(c(), c(), c())
-    }
+fn word32(random: &mut Rng) -> i32 {
+    within(random, i32::MIN.into(), i32::MAX.into()) as i32
 }
 
-fn each(what: &str, holds: impl Fn(&mut Random) -> bool) {
-    let mut random = Random(1);
+/// Returns a vector with components between -1 and 1.
+fn unit(random: &mut Rng) -> Vec3<Unit> {
+    let mut c = || Unit::from_bits(within(random, -1 << 30, 1 << 30) as i32);
+    Vec3::new(c(), c(), c())
+}
+
+/// Returns a vector shorter than 8.
+fn length(random: &mut Rng) -> Vec3<Length> {
+    // 8 / sqrt(3)
+    const MOST: i64 = 1_239_850_262;
+    let mut c = || Length::from_bits(within(random, -MOST, MOST) as i32);
+    Vec3::new(c(), c(), c())
+}
+
+fn factors(random: &mut Rng) -> Color<Factor> {
+    let mut c = || Factor::from_bits(within(random, 0, 1 << 15) as u16);
+    Color::new(c(), c(), c())
+}
+
+fn radiance(random: &mut Rng) -> Color<Radiance> {
+    let mut c = || Radiance::from_bits(within(random, 0, u32::MAX.into()) as u32);
+    Color::new(c(), c(), c())
+}
+
+fn weights(random: &mut Rng) -> Color<Weight> {
+    radiance(random).map(|c| Weight::from_bits(c.to_bits()))
+}
+
+/// Asserts that `holds` returns true for each of a million random operands.
+fn each(what: &str, holds: impl Fn(&mut Rng) -> bool) {
+    let mut random = Rng::with_seed(1);
     for case in 0..CASES {
         assert!(holds(&mut random), "{what}, case {case}");
     }
@@ -94,7 +77,7 @@ fn dot(a: [i128; 3], b: [i128; 3]) -> i128 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// `n / 2^shift`, rounded half up.
+/// Returns `n / 2^shift`, rounded half up.
 fn rounded(n: i128, shift: u32) -> i128 {
     (2 * n + (1 << shift)).div_euclid(2 << shift)
 }
@@ -109,7 +92,7 @@ fn cross(a: [i128; 3], b: [i128; 3]) -> [i128; 3] {
 #[test]
 fn full_products() {
     each("products", |random| {
-        let (a, b) = (random.word32(), random.word32());
+        let (a, b) = (word32(random), word32(random));
         let (i, j) = (i128::from(a), i128::from(b));
         let (u, v) = (i128::from(a as u32), i128::from(b as u32));
         i128::from(a.product(b)) == i * j
@@ -122,7 +105,7 @@ fn full_products() {
 #[test]
 fn roundings() {
     each("roundings", |random| {
-        let bits = random.within(-1 << 60, 1 << 60);
+        let bits = within(random, -1 << 60, 1 << 60);
         let exact = rounded(bits.into(), 30);
         i128::from(round_unit::<30>(bits).to_bits()) == exact
             && i128::from(round_length::<30>(bits).to_bits()) == exact
@@ -132,7 +115,7 @@ fn roundings() {
 #[test]
 fn products_of_vectors() {
     each("products of vectors", |random| {
-        let (l, d, e) = (random.length(), random.unit(), random.unit());
+        let (l, d, e) = (length(random), unit(random), unit(random));
         let exact = cross(units(d), units(e));
         i128::from(l.along(d).to_bits()) == dot(lengths(l), units(d))
             && i128::from(l.squared().to_bits()) == dot(lengths(l), lengths(l))
@@ -144,13 +127,9 @@ fn products_of_vectors() {
 #[test]
 fn rounded_products_of_vectors() {
     each("rounded products of vectors", |random| {
-        // A direction is at most 1 long; so is its cosine with another.
+        // At most 1 long, as directions are: 4/7 is below 1/sqrt(3).
         let shorter = |v: Vec3<Unit>| v.map(|c| Unit::from_bits(c.to_bits() / 7 * 4));
-        let (l, d, e) = (
-            random.length(),
-            shorter(random.unit()),
-            shorter(random.unit()),
-        );
+        let (l, d, e) = (length(random), shorter(unit(random)), shorter(unit(random)));
         let distance = l.x;
         let turned = cross(lengths(l), units(d)).map(|c| rounded(c, 30));
         let times = units(d).map(|c| rounded(c * i128::from(distance.to_bits()), 30));
@@ -160,7 +139,7 @@ fn rounded_products_of_vectors() {
     });
 }
 
-/// Each channel's bits.
+/// Returns the three channels as integers.
 fn channels<T: Into<i128>>(color: Color<T>) -> [i128; 3] {
     [color.r.into(), color.g.into(), color.b.into()]
 }
@@ -168,8 +147,8 @@ fn channels<T: Into<i128>>(color: Color<T>) -> [i128; 3] {
 #[test]
 fn products_of_factors() {
     each("products of factors", |random| {
-        let (a, b) = (random.factors(), random.factors());
-        let intensity = Intensity::from_bits(random.within(0, 1 << 16) as u32);
+        let (a, b) = (factors(random), factors(random));
+        let intensity = Intensity::from_bits(within(random, 0, 1 << 16) as u32);
         let bits = |c: Color<Factor>| channels(c.map(Factor::to_bits));
         let filtered = [0, 1, 2].map(|i| rounded(bits(a)[i] * bits(b)[i], 15));
         let reflected = [0, 1, 2].map(|i| {
@@ -179,15 +158,15 @@ fn products_of_factors() {
         let shown = a.reflect(intensity, b).map(Radiance::to_bits);
         bits(a.filtered(b)) == filtered
             && channels(shown) == reflected
-            && color::product(a.r, b.r) <= a.r.min(b.r)
+            && a.filtered(b).r <= a.r.min(b.r)
     });
 }
 
 #[test]
-fn radiances() {
+fn sums_and_brightening_of_radiances() {
     each("radiances", |random| {
-        let (a, b) = (random.radiance(), random.radiance());
-        let exponent = random.within(0, 15) as u32;
+        let (a, b) = (radiance(random), radiance(random));
+        let exponent = within(random, 0, 15) as u32;
         let bits = |c: Color<Radiance>| channels(c.map(Radiance::to_bits));
         let most = i128::from(u32::MAX);
         let (plus, brightened) = (bits(a.plus(b)), bits(a.brightened(exponent)));
@@ -199,18 +178,17 @@ fn radiances() {
 }
 
 #[test]
-fn weights() {
+fn products_of_weights() {
     each("weights", |random| {
-        let radiance = random.radiance();
-        let mut weight = || random.radiance().map(|c| Weight::from_bits(c.to_bits()));
-        let (weight, share) = (weight(), weight());
+        let light = radiance(random);
+        let (weight, share) = (weights(random), weights(random));
         let bits = |c: Color<Weight>| channels(c.map(Weight::to_bits));
-        let weighed = channels(weight.weigh(radiance).map(Radiance::to_bits));
+        let weighed = channels(weight.weigh(light).map(Radiance::to_bits));
         let shared = bits(weight.shared(share));
         (0..3).all(|i| {
-            let radiance = channels(radiance.map(Radiance::to_bits))[i];
+            let light = channels(light.map(Radiance::to_bits))[i];
             let (weight, share) = (bits(weight)[i], bits(share)[i]);
-            weighed[i] == (weight * radiance) >> 32 && shared[i] == (weight * share) >> 32
+            weighed[i] == (weight * light) >> 32 && shared[i] == (weight * share) >> 32
         })
     });
     let all = Color::<Weight>::ALL;

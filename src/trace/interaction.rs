@@ -1,5 +1,3 @@
-use long_multiply::IS_CALL;
-
 use super::intersect::Hit;
 use crate::geometry::{OriginSurface, PrimitivePart, Ray, SurfaceFlags, are_near};
 use crate::math::{SoftFloat, Unit, Vec3};
@@ -72,18 +70,9 @@ impl<'s> Interaction<'s> {
             return false;
         };
         let is_horizontal = object.flags.intersects(SurfaceFlags::HORIZONTAL);
-        let cosine = if IS_CALL && is_horizontal {
-            ray.direction.y
-        } else {
-            ray.direction.cosine(normal)
-        };
+        let cosine = ray.direction.cosine_to_normal(normal, is_horizontal);
         let is_inside = cosine > Unit::ZERO;
-        ray.leaves = OriginSurface::new(
-            hit.object,
-            object.shape.part_id(part),
-            is_inside,
-            object.flags,
-        );
+        ray.leaves = OriginSurface::new(hit.object, part.id, is_inside, object.flags);
         self.normal = if is_inside { -normal } else { normal };
         self.cosine = cosine.abs();
         self.material_index = object.texture.material(&ray.origin);

@@ -1,13 +1,11 @@
 //! Direct lighting: emission, ambient light, and the lights that are visible from a point.
 
-use long_multiply::IS_CALL;
-
 use super::interaction::Interaction;
 use super::tracer::Tracer;
 use crate::geometry::{ShadowSegment, SurfaceFlags};
 use crate::math::{
-    Color, Factor, Intensity, Length, Product, Radiance, Square, Unit, Vec3, high, inverse_length,
-    leading_zeros, power, reciprocal_root, wide,
+    Color, Factor, Intensity, Product, Radiance, Square, Unit, high, inverse_length, leading_zeros,
+    power, reciprocal_root, wide,
 };
 use crate::observer::{Observer, to_real};
 use crate::prepare::Light;
@@ -47,7 +45,8 @@ impl<O: Observer> Tracer<'_, '_, O> {
     ) {
         // In steps of the point's shift.
         let to_light = at.ray.origin.to(light.position);
-        let along = at.along_normal(to_light);
+        let is_vertical = at.ray.leaves.flags.intersects(SurfaceFlags::HORIZONTAL);
+        let along = to_light.along_normal(at.normal, is_vertical).to_bits();
         if along <= 0 {
             return;
         }
@@ -94,18 +93,6 @@ impl<O: Observer> Tracer<'_, '_, O> {
 }
 
 impl Interaction<'_> {
-    /// Component of a vector along the normal, Q58.
-    #[inline(always)]
-    fn along_normal(&self, v: Vec3<Length>) -> i64 {
-        let leaves = &self.ray.leaves;
-        if IS_CALL && leaves.flags.intersects(SurfaceFlags::HORIZONTAL) {
-            let y = if leaves.is_inside { -v.y } else { v.y };
-            i64::from(y.to_bits()) << 30
-        } else {
-            v.along(self.normal).to_bits()
-        }
-    }
-
     /// Returns true if a light may have a visible Phong highlight. Most highlights are too
     /// dim, which needs no square root to find out.
     #[inline(always)]

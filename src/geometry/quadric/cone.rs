@@ -1,13 +1,14 @@
 use super::super::extent::Extent;
-use super::super::limits::{self, FARTHEST, SMALLEST};
+use super::super::limits::{FARTHEST, SMALLEST};
 use super::super::normalization::Normalization;
 use super::super::primitive::AuthoredShape;
-use super::super::valid;
+use super::super::{limits, valid};
 use super::form::QuadricForm;
 use super::placed::{Placed, middle};
 use super::quadratic::{Quadratic, moment, scaled_by_axis};
 use super::ratio::unit_ratio;
-use crate::archive::{self, Archive, Fields};
+use crate::archive;
+use crate::archive::{Archive, Fields};
 use crate::math::{Length, Product, Real, Square, Unit, Vec3, quotient, round_length};
 use crate::observer::ShapeKind;
 use crate::scene::{SceneError, SceneItem};

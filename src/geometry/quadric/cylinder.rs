@@ -1,12 +1,12 @@
 use super::super::extent::Extent;
-use super::super::limits;
 use super::super::normalization::Normalization;
 use super::super::primitive::AuthoredShape;
-use super::super::valid;
+use super::super::{limits, valid};
 use super::form::QuadricForm;
 use super::placed::Placed;
 use super::quadratic::Quadratic;
-use crate::archive::{self, Archive, Fields};
+use crate::archive;
+use crate::archive::{Archive, Fields};
 use crate::math::{Length, Product, Real, Square, Unit, Vec3, round_length, upper_product};
 use crate::observer::ShapeKind;
 use crate::scene::{SceneError, SceneItem};

@@ -1,13 +1,15 @@
 use fixed::types::I8F56;
 
 use super::super::extent::Extent;
-use super::super::limits::{self, FARTHEST};
+use super::super::limits;
+use super::super::limits::FARTHEST;
 use super::super::normalization::Normalization;
 use super::super::primitive::AuthoredShape;
 use super::form::QuadricForm;
 use super::placed::{Placed, middle};
 use super::quadratic::{Quadratic, moment};
-use crate::archive::{self, Archive, Fields};
+use crate::archive;
+use crate::archive::{Archive, Fields};
 use crate::math::{Length, Product, Real, Square, Unit, Vec3, square_root, upper_product};
 use crate::observer::ShapeKind;
 use crate::scene::{SceneError, SceneItem};

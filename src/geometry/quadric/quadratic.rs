@@ -1,5 +1,6 @@
-use crate::math::outlined::inverse_length;
-use crate::math::{Length, Product, SoftFloat, Unit, Vec3, quotient, rounded, wide};
+use crate::math::{
+    Length, Product, SoftFloat, Unit, Vec3, inverse_length_outlined, quotient, rounded, wide,
+};
 
 /// `a t² + 2 b t + c = 0`: the equation of a ray and a quadric whose implicit function is
 /// positive outside.
@@ -68,7 +69,7 @@ pub(super) fn scaled_by_axis(v: Vec3<i32>, factors: Vec3<Unit>) -> Vec3<i32> {
 
 /// Square root: Q56 -> Q58.
 fn root(square: u64) -> i64 {
-    let inverse = inverse_length(square);
+    let inverse = inverse_length_outlined(square);
     // Q63 in [1/2, 1), times 2^(32 - half_shift) in steps of 2^-28
     (wide(inverse.normalized, inverse.inverse) >> (1 + inverse.half_shift)) as i64
 }

@@ -4,8 +4,7 @@ use fixed::types::{I3F29, U0F32, U1F15};
 
 use super::super::valid;
 use super::child_frame::{ELEVATION, HALF_COSINE};
-use crate::math::outlined::reciprocal;
-use crate::math::{Length, Product, Unit, Vec3, round_unit, wide};
+use crate::math::{Length, Product, Unit, Vec3, reciprocal_outlined, round_unit, wide};
 
 /// A length in radii of a sphere: ±4 in steps of 2^-29.
 pub(super) type Radii = I3F29;
@@ -193,7 +192,7 @@ fn parent_bound(child: u64, ratio: u64) -> u64 {
 #[inline(never)]
 fn inverse(x: U0F32) -> Unit {
     let mantissa = x.to_bits().wrapping_shl(x.leading_zeros()) | 1 << 31;
-    let half = reciprocal(mantissa).saturating_add(1) >> 1;
+    let half = reciprocal_outlined(mantissa).saturating_add(1) >> 1;
     Unit::from_bits(half.min(i32::MAX as u32) as i32)
 }
 

@@ -1,0 +1,51 @@
+use super::product::wide;
+use super::square_root::square_root;
+
+/// Returns `base^exponent` as `U1F31`.
+///
+/// `base` is 0 to 1 as `U1F31`, `exponent` at least 1 as `U16F16`. The error is below
+/// 2^-30 * (exponent + 16). Takes one or two products for each bit of the exponent's integer
+/// part, and a square root for each bit of its fraction down to the lowest bit that is set.
+#[inline(never)]
+pub(crate) fn power(base: u32, exponent: u32) -> u32 {
+    let Some(mut result) = integer_power(base, exponent >> 16) else {
+        return 0;
+    };
+    let mut root = base;
+    let mut fraction = exponent << 16;
+    while fraction != 0 {
+        // The square root of a number in steps of 2^-62 is in steps of 2^-31.
+        root = square_root(u64::from(root) << 31);
+        if fraction >> 31 == 1 {
+            result = multiply(result, root);
+        }
+        fraction <<= 1;
+    }
+    result
+}
+
+/// Returns `base^exponent` as `U1F31` by repeated squaring; `None` if a square rounds to 0.
+#[inline(always)]
+fn integer_power(base: u32, mut exponent: u32) -> Option<u32> {
+    const ONE: u32 = 1 << 31;
+    let (mut result, mut square) = (ONE, base);
+    loop {
+        if exponent & 1 == 1 {
+            result = multiply(result, square);
+        }
+        exponent >>= 1;
+        if exponent == 0 {
+            return Some(result);
+        }
+        square = multiply(square, square);
+        if square == 0 {
+            return None;
+        }
+    }
+}
+
+/// Returns the product, rounded half up: `U1F31 * U1F31 -> U1F31`.
+#[inline(always)]
+fn multiply(a: u32, b: u32) -> u32 {
+    ((wide(a, b) + (1 << 30)) >> 31) as u32
+}
