@@ -3,9 +3,12 @@
 
 #![allow(clippy::unwrap_used)]
 
+#[path = "common/line_display.rs"]
+mod line_display;
+
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
-use embedded_graphics::primitives::Rectangle;
+use line_display::LineDisplay;
 use whitted::observer::Stats;
 use whitted::render::{AaSample, AntialiasError, AntialiasedRenderer, SampleCount};
 use whitted::scene::Axis;
@@ -214,47 +217,6 @@ fn rejects_short_memory_and_large_pictures() {
     assert_eq!(message, "the memory is too small: give it 80 samples");
 }
 
-/// Display that fails once on every line, after 17 pixels.
-#[derive(Default)]
-struct FlakyDisplay {
-    lines: Vec<Vec<Rgb888>>,
-    failed: bool,
-}
-
-#[derive(Debug, PartialEq)]
-struct Unplugged;
-
-impl OriginDimensions for FlakyDisplay {
-    fn size(&self) -> Size {
-        SIZE
-    }
-}
-
-impl DrawTarget for FlakyDisplay {
-    type Color = Rgb888;
-    type Error = Unplugged;
-
-    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb888>>>(&mut self, _: I) -> Result<(), Unplugged> {
-        panic!("pixel by pixel")
-    }
-
-    fn fill_contiguous<I: IntoIterator<Item = Rgb888>>(
-        &mut self,
-        area: &Rectangle,
-        colors: I,
-    ) -> Result<(), Unplugged> {
-        assert_eq!(area.top_left, Point::new(0, self.lines.len() as i32));
-        if !self.failed {
-            colors.into_iter().take(17).for_each(drop);
-            self.failed = true;
-            return Err(Unplugged);
-        }
-        self.failed = false;
-        self.lines.push(colors.into_iter().collect());
-        Ok(())
-    }
-}
-
 #[test]
 fn redrawing_a_failed_line_traces_no_rays() {
     let (_, once) = all_lines(&SCENE, SampleCount::Four);
@@ -265,16 +227,19 @@ fn redrawing_a_failed_line_traces_no_rays() {
     let renderer =
         AntialiasedRenderer::with_observer(&scene, SIZE, SampleCount::Four, &mut memory, stats);
     let mut renderer = renderer.unwrap();
-    let mut display = FlakyDisplay::default();
+    let mut display = LineDisplay::default();
     for y in 0..SIZE.height {
-        if renderer.draw_line(y, &mut display).is_err() {
-            renderer.draw_line(y, &mut display).unwrap();
-        }
+        // Every line fails once, after 17 pixels.
+        display.fails_at = Some((y as usize, 17));
+        assert!(renderer.draw_line(y, &mut display).is_err());
+        display.fails_at = None;
+        renderer.draw_line(y, &mut display).unwrap();
     }
     assert_eq!(*renderer.observer(), once);
-    for (y, shown) in (0..).zip(&display.lines) {
+    for (y, (area, shown)) in (0..).zip(&display.lines) {
+        assert_eq!(area.top_left, Point::new(0, y));
         let mut line = [Rgb888::BLACK; SIZE.width as usize];
-        renderer.render_line(y, &mut line);
+        renderer.render_line(y as u32, &mut line);
         assert_eq!(shown.as_slice(), line, "line {y}");
     }
 }

@@ -92,7 +92,7 @@ impl<C: PixelColor> DrawTarget for Screen<C> {
     type Error = Unplugged;
 
     fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, _: I) -> Result<(), Unplugged> {
-        panic!("pixel by pixel")
+        panic!("DirtyLines drew single pixels")
     }
 
     fn fill_contiguous<I>(&mut self, area: &Rectangle, colors: I) -> Result<(), Unplugged>

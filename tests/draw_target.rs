@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used)]
 
+#[path = "common/line_display.rs"]
+mod line_display;
 #[path = "common/mirror_ball.rs"]
 mod mirror_ball;
 
@@ -18,6 +20,7 @@ use embedded_graphics::primitives::Rectangle;
 use whitted::observer::{Observer, RayKind, Stats};
 use whitted::{Renderer, SceneBuffer};
 
+use line_display::{LineDisplay, Unplugged};
 use mirror_ball::SCENE;
 
 /// Checks that a picture is drawn completely. `MockDisplay` panics if a pixel is
@@ -62,48 +65,6 @@ fn draws_every_pixel_once_in_every_color_type() {
 fn accepts_every_size() {
     for (width, height) in [(0, 0), (0, 5), (5, 0), (1, 1), (64, 1), (1, 64), (64, 64)] {
         assert_draws_every_pixel_once::<Gray8>(Size::new(width, height));
-    }
-}
-
-/// Display that records lines, and can fail at a chosen call and pixel. It rejects
-/// single pixels.
-#[derive(Default)]
-struct LineDisplay {
-    lines: Vec<(Rectangle, Vec<Rgb888>)>,
-    /// Index of the call that fails, and the number of pixels it takes before.
-    fails_at: Option<(usize, usize)>,
-}
-
-#[derive(Debug, PartialEq)]
-struct Unplugged;
-
-impl OriginDimensions for LineDisplay {
-    fn size(&self) -> Size {
-        Size::new(40, 30)
-    }
-}
-
-impl DrawTarget for LineDisplay {
-    type Color = Rgb888;
-    type Error = Unplugged;
-
-    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb888>>>(&mut self, _: I) -> Result<(), Unplugged> {
-        panic!("pixel by pixel")
-    }
-
-    fn fill_contiguous<I: IntoIterator<Item = Rgb888>>(
-        &mut self,
-        area: &Rectangle,
-        colors: I,
-    ) -> Result<(), Unplugged> {
-        if let Some((call, pixels)) = self.fails_at
-            && call == self.lines.len()
-        {
-            colors.into_iter().take(pixels).for_each(drop);
-            return Err(Unplugged);
-        }
-        self.lines.push((*area, colors.into_iter().collect()));
-        Ok(())
     }
 }
 
