@@ -1,4 +1,4 @@
-//! Key frames: values between keys, loops, and what is refused.
+//! Keyframe animation: interpolation, loops, targets and rejected animations.
 
 #![allow(clippy::unwrap_used)]
 
@@ -19,13 +19,14 @@ const BALL: Object = Object::sphere(Vec3::lit("0", "1", "0"), Real::ONE, Materia
 const FLOOR: Object = Object::floor(Real::ZERO, Texture::Uniform(MaterialId(0)));
 const LAMP: Light = Light::point(Vec3::lit("-6", "11", "7"), Color::gray(Real::ONE));
 
-const STILL: Scene<'static> = Scene {
+const SCENE: Scene<'static> = Scene {
     lights: &[LAMP],
     objects: &[FLOOR, BALL],
     ..Scene::new(CAMERA)
 };
 
-/// The field of view is any number here, and nothing checks it.
+/// Interpolates a track at a time, in an animation of 8 seconds. The field of view
+/// is the target because interpolation does not check its range.
 fn value(keys: &[Keyframe], interpolation: Interpolation, looping: bool, time: &str) -> Real {
     let tracks = [Track {
         target: Target::CameraFovy,
@@ -54,8 +55,8 @@ const RAMP: [Keyframe; 3] = [
 ];
 
 #[test]
-fn lines_lead_from_key_to_key() {
-    for (time, right) in [
+fn linear_interpolation_between_keys() {
+    for (time, expected) in [
         ("0", "10"),
         ("1", "10"),
         ("1.5", "12.5"),
@@ -69,26 +70,26 @@ fn lines_lead_from_key_to_key() {
         ("-1", "10"),
     ] {
         let got = value(&RAMP, Linear, false, time);
-        assert_eq!(got, right.parse::<Real>().unwrap(), "at {time}");
+        assert_eq!(got, expected.parse::<Real>().unwrap(), "at {time}");
     }
 }
 
 #[test]
-fn both_kinds_pass_through_the_keys() {
+fn interpolation_passes_through_keys() {
     for interpolation in [Linear, Smooth] {
         for key in RAMP {
             let got = value(&RAMP, interpolation, false, &key.time.to_string());
             assert_eq!(got, key.value.x);
         }
-        let alone = [Keyframe::number("4", "5")];
+        let single = [Keyframe::number("4", "5")];
         for time in ["0", "4", "8"] {
-            assert_eq!(value(&alone, interpolation, true, time), 5);
+            assert_eq!(value(&single, interpolation, true, time), 5);
         }
     }
 }
 
 #[test]
-fn a_loop_begins_anew() {
+fn loop_repeats_after_its_duration() {
     for time in ["8", "9.5", "17.25", "-2"] {
         let within = time.parse::<Real>().unwrap().rem_euclid(Real::lit("8"));
         assert_eq!(
@@ -98,37 +99,37 @@ fn a_loop_begins_anew() {
     }
 }
 
-/// y = 4 t - t²/2, at uneven times: two parabolas at the ends, and between them
-/// slopes of parabolas.
+/// Keys of y = 4t - t²/2 at uneven times. Smooth interpolation takes its slopes from
+/// the parabola through three neighboring keys, so it reproduces a parabola exactly.
 #[test]
-fn a_throw_is_a_parabola() {
+fn smooth_interpolation_reproduces_parabola() {
     let keys = [
         Keyframe::number("0", "0"),
         Keyframe::number("1", "3.5"),
         Keyframe::number("5", "7.5"),
         Keyframe::number("8", "0"),
     ];
-    for (time, right) in [
+    for (time, expected) in [
         ("0.5", "1.875"),
         ("2", "6"),
         ("4", "8"),
         ("4.5", "7.875"),
         ("7", "3.5"),
     ] {
-        assert_near(value(&keys, Smooth, false, time), right);
+        assert_near(value(&keys, Smooth, false, time), expected);
     }
 }
 
 #[test]
-fn two_keys_are_joined_by_a_line() {
+fn smooth_interpolation_of_two_keys_is_linear() {
     let keys = [Keyframe::number("0", "0"), Keyframe::number("8", "16")];
     assert_eq!(value(&keys, Smooth, true, "3"), 6);
 }
 
-/// Catmull and Rom's spline, where times are even: slopes of half the way between
-/// the neighbors.
+/// With evenly spaced keys, smooth interpolation is the Catmull-Rom spline (1974),
+/// whose slope at a key is half the difference of its neighbors.
 #[test]
-fn even_times_give_the_usual_spline() {
+fn smooth_interpolation_of_even_keys_is_catmull_rom() {
     let keys = [
         Keyframe::number("0", "1"),
         Keyframe::number("2", "3"),
@@ -137,10 +138,11 @@ fn even_times_give_the_usual_spline() {
     ];
     // (-p0 + 9 p1 + 9 p2 - p3) / 16
     assert_near(value(&keys, Smooth, false, "3"), "2.4375");
-    // By the four weights at a quarter: (-9 p0 + 111 p1 + 29 p2 - 3 p3) / 128.
+    // At a quarter of the segment: (-9 p0 + 111 p1 + 29 p2 - 3 p3) / 128.
     assert_near(value(&keys, Smooth, false, "2.5"), "2.8671875");
 }
 
+/// Returns the slope of the smooth interpolation just after a time.
 fn speed(keys: &[Keyframe], looping: bool, time: &str) -> Real {
     let step = Real::lit("0.0001");
     let time: Real = time.parse().unwrap();
@@ -149,7 +151,7 @@ fn speed(keys: &[Keyframe], looping: bool, time: &str) -> Real {
 }
 
 #[test]
-fn a_doubled_key_is_a_corner() {
+fn doubled_key_makes_corner_or_jump() {
     let bounce = [
         Keyframe::number("0", "0"),
         Keyframe::number("2", "4"),
@@ -158,7 +160,7 @@ fn a_doubled_key_is_a_corner() {
         Keyframe::number("6", "4"),
         Keyframe::number("8", "0"),
     ];
-    // Down by a slope of 4, and up again.
+    // The slope changes from -4 to 4 at the doubled key.
     assert!((speed(&bounce, false, "3.9998") + Real::from(4)).abs() < Real::lit("0.01"));
     assert!((speed(&bounce, false, "4") - Real::from(4)).abs() < Real::lit("0.01"));
     let jump = [
@@ -174,7 +176,7 @@ fn a_doubled_key_is_a_corner() {
 }
 
 #[test]
-fn a_loop_closes_smoothly_where_its_ends_are_alike() {
+fn loop_with_equal_ends_is_smooth() {
     let wave = [
         Keyframe::number("0", "0"),
         Keyframe::number("1", "4"),
@@ -188,9 +190,8 @@ fn a_loop_closes_smoothly_where_its_ends_are_alike() {
     assert!((end - start).abs() > Real::lit("0.5"), "{end} {start}");
 }
 
-/// Nothing overflows.
 #[test]
-fn the_farthest_values_are_no_harm() {
+fn extreme_values_do_not_overflow() {
     let far = |time, x| Keyframe {
         time: Real::lit(time),
         value: Vec3::new(x, x, x),
@@ -211,8 +212,8 @@ fn the_farthest_values_are_no_harm() {
 }
 
 #[test]
-fn all_targets_move() {
-    let half = |target, keys| Track {
+fn animates_every_target() {
+    let track = |target, keys| Track {
         target,
         interpolation: Linear,
         keys,
@@ -227,37 +228,37 @@ fn all_targets_move() {
         Keyframe::angles("2", "180", "0"),
     ];
     let tracks = [
-        half(Target::CameraOrbit, turn),
-        half(Target::CameraLookAt, position),
-        half(Target::CameraFovy, number),
-        half(Target::ObjectPosition(0), position),
-        half(Target::ObjectRadius(1), number),
-        half(Target::LightPosition(0), position),
-        half(Target::LightColor(0), position),
+        track(Target::CameraOrbit, turn),
+        track(Target::CameraLookAt, position),
+        track(Target::CameraFovy, number),
+        track(Target::ObjectPosition(0), position),
+        track(Target::ObjectRadius(1), number),
+        track(Target::LightPosition(0), position),
+        track(Target::LightColor(0), position),
     ];
     let animation = Animation {
         duration: Real::lit("2"),
         looping: false,
         tracks: &tracks,
     };
-    let mut stage = AnimatedScene::<2, 1>::new();
-    // The second frame starts from the still scene, too.
+    let mut animated = AnimatedScene::<2, 1>::new();
+    // Each frame must start from the authored scene, not from the previous frame.
     for _ in 0..2 {
-        let frame = stage.frame(&STILL, &animation, Real::ONE).unwrap();
+        let frame = animated.frame(&SCENE, &animation, Real::ONE).unwrap();
         assert_eq!(frame.camera.look_at, Vec3::lit("1", "2", "3"));
-        // (-1, -1, 5) to the right by 90 degrees.
+        // The orbit turns the offset (-1, -1, 5) by 90 degrees to the right.
         assert_eq!(frame.camera.eye, Vec3::lit("6", "1", "4"));
         assert_eq!(frame.camera.fovy_deg, 2);
         let Shape::Plane { point, .. } = frame.objects[0].shape else {
             panic!("{frame:?}")
         };
         assert_eq!(point, Vec3::lit("1", "2", "3"));
-        let right = Object::sphere(Vec3::lit("0", "1", "0"), Real::lit("2"), MaterialId(0));
-        assert_eq!(frame.objects[1], right);
+        let expected = Object::sphere(Vec3::lit("0", "1", "0"), Real::lit("2"), MaterialId(0));
+        assert_eq!(frame.objects[1], expected);
         let (at, color) = (Vec3::lit("1", "2", "3"), Color::lit("1", "2", "3"));
         assert_eq!(frame.lights, [Light::point(at, color)]);
     }
-    let eye = [half(Target::CameraEye, position)];
+    let eye = [track(Target::CameraEye, position)];
     let animation = Animation {
         tracks: &eye,
         ..animation
@@ -266,7 +267,8 @@ fn all_targets_move() {
     assert_eq!(moved.eye, Vec3::lit("1", "2", "3"));
 }
 
-fn refused(duration: &str, target: Target, keys: &[Keyframe]) -> AnimationError {
+/// Returns the error of an animation with one looping track.
+fn rejected(duration: &str, target: Target, keys: &[Keyframe]) -> AnimationError {
     let tracks = [Track {
         target,
         interpolation: Smooth,
@@ -278,21 +280,21 @@ fn refused(duration: &str, target: Target, keys: &[Keyframe]) -> AnimationError 
         tracks: &tracks,
     };
     AnimatedScene::<2, 1>::new()
-        .frame(&STILL, &animation, Real::ONE)
+        .frame(&SCENE, &animation, Real::ONE)
         .unwrap_err()
 }
 
 #[test]
-fn what_cannot_be_is_refused() {
+fn rejects_invalid_animations() {
     let key = Keyframe::number("1", "1");
     let late = Keyframe::number("2", "1");
     let fovy = Target::CameraFovy;
-    let of = |problem| AnimationError {
+    let track_error = |problem| AnimationError {
         track: Some(0),
         problem,
     };
     for duration in ["0", "-1", "16777217"] {
-        let error = refused(duration, fovy, &[key]);
+        let error = rejected(duration, fovy, &[key]);
         assert_eq!(error.problem, AnimationProblem::Duration);
         assert_eq!(error.track, None);
     }
@@ -313,25 +315,25 @@ fn what_cannot_be_is_refused() {
         (Target::LightPosition(1), &[key], NoSuchLight(1)),
         (Target::LightColor(7), &[key], NoSuchLight(7)),
     ] {
-        assert_eq!(refused("3", target, keys), of(problem));
+        assert_eq!(rejected("3", target, keys), track_error(problem));
     }
     assert_eq!(
-        refused("3", fovy, &[late, key]).to_string(),
+        rejected("3", fovy, &[late, key]).to_string(),
         "track 0: keyframe 1 is earlier than its predecessor"
     );
 }
 
 #[test]
-fn a_stage_must_be_large_enough() {
+fn rejects_scene_larger_than_animated_scene() {
     let animation = Animation {
         duration: Real::ONE,
         looping: false,
         tracks: &[],
     };
     let mut narrow = AnimatedScene::<1, 1>::new();
-    let error = narrow.frame(&STILL, &animation, Real::ZERO).unwrap_err();
+    let error = narrow.frame(&SCENE, &animation, Real::ZERO).unwrap_err();
     assert_eq!(error.problem, AnimationProblem::TooManyObjects);
     let mut dark = AnimatedScene::<2, 0>::new();
-    let error = dark.frame(&STILL, &animation, Real::ZERO).unwrap_err();
+    let error = dark.frame(&SCENE, &animation, Real::ZERO).unwrap_err();
     assert_eq!(error.problem, AnimationProblem::TooManyLights);
 }

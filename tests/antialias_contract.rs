@@ -1,11 +1,14 @@
-//! What smooth edges promise, apart from how smooth they are: lines are the same
-//! however they are asked for, and rays are spent at edges only.
+//! Contract of the antialiased renderer: a line does not depend on the order of
+//! rendering, and only edge pixels get extra rays.
 
 #![allow(clippy::unwrap_used)]
 
+#[path = "common/line_display.rs"]
+mod line_display;
+
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
-use embedded_graphics::primitives::Rectangle;
+use line_display::LineDisplay;
 use whitted::observer::Stats;
 use whitted::render::{AaSample, AntialiasError, AntialiasedRenderer, SampleCount};
 use whitted::scene::Axis;
@@ -55,16 +58,16 @@ fn all_lines(scene: &Scene<'_>, samples: SampleCount) -> (Vec<Vec<Color<Radiance
 }
 
 #[test]
-fn lines_are_the_same_in_any_order() {
+fn lines_do_not_depend_on_order() {
     for samples in [SampleCount::Four, SampleCount::Sixteen] {
         let (lines, _) = all_lines(&SCENE, samples);
         let mut buffer = Buffer::new();
         let scene = buffer.prepare(&SCENE).unwrap();
         let mut memory = MEMORY;
         let mut renderer = AntialiasedRenderer::new(&scene, SIZE, samples, &mut memory).unwrap();
-        let back = (0..SIZE.height).rev();
-        let again = [0, 0, 1, 0, 2, 3, 3, 4, 29, 29, 0, 15, 17, 16];
-        for y in back.chain(again) {
+        let backward = (0..SIZE.height).rev();
+        let repeated = [0, 0, 1, 0, 2, 3, 3, 4, 29, 29, 0, 15, 17, 16];
+        for y in backward.chain(repeated) {
             let line: Vec<_> = renderer.line(y).collect();
             assert_eq!(line, lines[y as usize], "line {y}");
         }
@@ -75,7 +78,7 @@ fn lines_are_the_same_in_any_order() {
 }
 
 #[test]
-fn other_pixels_are_those_of_a_plain_picture() {
+fn only_edge_pixels_differ_from_plain_picture() {
     let (lines, stats) = all_lines(&SCENE, SampleCount::Four);
     let mut buffer = Buffer::new();
     let scene = buffer.prepare(&SCENE).unwrap();
@@ -92,7 +95,7 @@ fn other_pixels_are_those_of_a_plain_picture() {
 }
 
 #[test]
-fn sixteen_rays_go_through_the_pixels_that_four_go_through() {
+fn four_and_sixteen_rays_share_edge_pixels() {
     let [four, sixteen] = [SampleCount::Four, SampleCount::Sixteen].map(|samples| {
         let (_, stats) = all_lines(&SCENE, samples);
         stats.camera - SIZE.width * SIZE.height
@@ -100,13 +103,13 @@ fn sixteen_rays_go_through_the_pixels_that_four_go_through() {
     assert_eq!(sixteen, 4 * four);
 }
 
-/// The rays that are more than one a pixel.
-fn more(scene: &Scene<'_>) -> u32 {
+/// Returns the number of camera rays beyond one per pixel.
+fn extra_rays(scene: &Scene<'_>) -> u32 {
     all_lines(scene, SampleCount::Four).1.camera - SIZE.width * SIZE.height
 }
 
 #[test]
-fn each_difference_makes_an_edge_and_nothing_else_does() {
+fn edges_are_at_differences_of_object_material_shadow_or_color() {
     let dim = Background::Solid(Color::lit("0.01", "0.01", "0.01"));
     let floor = [Object::floor(Real::ZERO, Texture::Uniform(MaterialId(0)))];
     let plain = Scene {
@@ -114,18 +117,18 @@ fn each_difference_makes_an_edge_and_nothing_else_does() {
         objects: &[],
         ..SCENE
     };
-    assert_eq!(more(&plain), 0);
+    assert_eq!(extra_rays(&plain), 0);
 
-    // An object, if it looks like what is behind it.
+    // Object edge, although both sides have the same color.
     let dark = Scene {
         lights: &[],
         objects: &floor,
         ..plain
     };
-    let horizon = more(&dark);
+    let horizon = extra_rays(&dark);
     assert_eq!(horizon, 4 * 2 * SIZE.width);
 
-    // Two materials that look alike.
+    // Material edge, although both materials have the same color.
     let board = Texture::Checker {
         axes: [Axis::X, Axis::Z],
         size: Real::lit("2"),
@@ -135,9 +138,9 @@ fn each_difference_makes_an_edge_and_nothing_else_does() {
         objects: &[Object::floor(Real::ZERO, board)],
         ..dark
     };
-    assert!(more(&tiled) > 2 * horizon);
+    assert!(extra_rays(&tiled) > 2 * horizon);
 
-    // A shadow, of light that can hardly be seen.
+    // Shadow edge, although the light is almost invisible.
     let faint = [Light::point(
         Vec3::lit("-6", "11", "7"),
         Color::lit("0.001", "0.001", "0.001"),
@@ -151,9 +154,9 @@ fn each_difference_makes_an_edge_and_nothing_else_does() {
         lights: &faint,
         ..unlit
     };
-    assert!(more(&lit) > more(&unlit) + 40);
+    assert!(extra_rays(&lit) > extra_rays(&unlit) + 40);
 
-    // Color, and that of one surface, if it changes fast.
+    // Color edge within one background, only where the gradient is steep.
     let sky = Scene {
         background: Background::Gradient {
             horizon: Color::gray(Real::ZERO),
@@ -161,7 +164,7 @@ fn each_difference_makes_an_edge_and_nothing_else_does() {
         },
         ..plain
     };
-    assert_eq!(more(&sky), 0);
+    assert_eq!(extra_rays(&sky), 0);
     let wide = Camera {
         fovy_deg: Real::lit("120"),
         ..SCENE.camera
@@ -170,11 +173,11 @@ fn each_difference_makes_an_edge_and_nothing_else_does() {
         camera: wide,
         ..sky
     };
-    assert!(more(&steep) > 4 * SIZE.width);
+    assert!(extra_rays(&steep) > 4 * SIZE.width);
 }
 
 #[test]
-fn every_size_works() {
+fn accepts_every_size() {
     let mut buffer = Buffer::new();
     let scene = buffer.prepare(&SCENE).unwrap();
     for (width, height) in [(0, 0), (0, 5), (5, 0), (1, 1), (40, 1), (1, 40), (39, 41)] {
@@ -189,7 +192,7 @@ fn every_size_works() {
 }
 
 #[test]
-fn too_little_memory_and_too_large_a_picture_are_errors() {
+fn rejects_short_memory_and_large_pictures() {
     let mut buffer = Buffer::new();
     let scene = buffer.prepare(&SCENE).unwrap();
     let mut memory = MEMORY;
@@ -210,54 +213,12 @@ fn too_little_memory_and_too_large_a_picture_are_errors() {
         error(Size::new(1, u32::MAX), 80),
         Some(AntialiasError::TooLarge)
     );
-    let said = AntialiasError::TooLittleMemory { samples: 80 }.to_string();
-    assert_eq!(said, "the memory is too small: provide 80 samples");
-}
-
-/// Fails at every line, once.
-#[derive(Default)]
-struct Shaky {
-    lines: Vec<Vec<Rgb888>>,
-    failed: bool,
-}
-
-#[derive(Debug, PartialEq)]
-struct Shaken;
-
-impl OriginDimensions for Shaky {
-    fn size(&self) -> Size {
-        SIZE
-    }
-}
-
-impl DrawTarget for Shaky {
-    type Color = Rgb888;
-    type Error = Shaken;
-
-    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb888>>>(&mut self, _: I) -> Result<(), Shaken> {
-        panic!("pixel by pixel")
-    }
-
-    fn fill_contiguous<I: IntoIterator<Item = Rgb888>>(
-        &mut self,
-        area: &Rectangle,
-        colors: I,
-    ) -> Result<(), Shaken> {
-        assert_eq!(area.top_left, Point::new(0, self.lines.len() as i32));
-        if !self.failed {
-            // In the middle of the line.
-            colors.into_iter().take(17).for_each(drop);
-            self.failed = true;
-            return Err(Shaken);
-        }
-        self.failed = false;
-        self.lines.push(colors.into_iter().collect());
-        Ok(())
-    }
+    let message = AntialiasError::TooLittleMemory { samples: 80 }.to_string();
+    assert_eq!(message, "the memory is too small: provide 80 samples");
 }
 
 #[test]
-fn a_line_that_failed_can_be_drawn_again_for_nothing() {
+fn redrawing_a_failed_line_traces_no_rays() {
     let (_, once) = all_lines(&SCENE, SampleCount::Four);
     let mut buffer = Buffer::new();
     let scene = buffer.prepare(&SCENE).unwrap();
@@ -266,16 +227,19 @@ fn a_line_that_failed_can_be_drawn_again_for_nothing() {
     let renderer =
         AntialiasedRenderer::with_observer(&scene, SIZE, SampleCount::Four, &mut memory, stats);
     let mut renderer = renderer.unwrap();
-    let mut display = Shaky::default();
+    let mut display = LineDisplay::default();
     for y in 0..SIZE.height {
-        if renderer.draw_line(y, &mut display).is_err() {
-            renderer.draw_line(y, &mut display).unwrap();
-        }
+        // Every line fails once, after 17 pixels.
+        display.fails_at = Some((y as usize, 17));
+        assert!(renderer.draw_line(y, &mut display).is_err());
+        display.fails_at = None;
+        renderer.draw_line(y, &mut display).unwrap();
     }
     assert_eq!(*renderer.observer(), once);
-    for (y, shown) in (0..).zip(&display.lines) {
+    for (y, (area, shown)) in (0..).zip(&display.lines) {
+        assert_eq!(area.top_left, Point::new(0, y));
         let mut line = [Rgb888::BLACK; SIZE.width as usize];
-        renderer.render_line(y, &mut line);
+        renderer.render_line(y as u32, &mut line);
         assert_eq!(shown.as_slice(), line, "line {y}");
     }
 }

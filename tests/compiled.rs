@@ -1,4 +1,5 @@
-//! Compiled scenes: the same picture, and no damaged byte is accepted.
+//! Compiled scenes: they draw the picture of their source, and the decoder rejects
+//! damaged bytes.
 
 #![allow(clippy::unwrap_used)]
 
@@ -10,6 +11,7 @@ use whitted::scene::SceneItem;
 use whitted::{DecodeError, PreparedScene, SceneBuffer};
 use whitted_sim::{render, scene_file};
 
+/// Compiles a scene of the folder `scenes`.
 fn compiled(name: &str) -> Vec<u8> {
     scene_file::compile(format!("{}/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"))).unwrap()
 }
@@ -19,7 +21,7 @@ fn checksum(scene: &PreparedScene<'_>) -> u32 {
 }
 
 #[test]
-fn a_compiled_scene_draws_the_same_picture() {
+fn decoded_scene_draws_same_picture() {
     for entry in fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/scenes")).unwrap() {
         let path = entry.unwrap().path();
         let file = scene_file::load(&path).unwrap();
@@ -33,17 +35,17 @@ fn a_compiled_scene_draws_the_same_picture() {
     }
 }
 
-/// Every scene of the project.
-fn all() -> impl Iterator<Item = Vec<u8>> {
+/// Compiles every scene of the folder `scenes`.
+fn all_compiled() -> impl Iterator<Item = Vec<u8>> {
     let scenes = fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/scenes")).unwrap();
     scenes.map(|entry| scene_file::compile(entry.unwrap().path()).unwrap())
 }
 
 #[test]
-fn every_flipped_bit_is_refused() {
+fn rejects_every_bit_flip() {
     let mut buffer = Box::new(scene_file::Buffer::new());
     let mut flips = 0;
-    for mut bytes in all() {
+    for mut bytes in all_compiled() {
         for bit in 0..bytes.len() * 8 {
             bytes[bit / 8] ^= 1 << (bit % 8);
             assert!(buffer.decode(&bytes).is_err(), "bit {bit}");
@@ -56,10 +58,10 @@ fn every_flipped_bit_is_refused() {
 }
 
 #[test]
-fn every_truncation_and_extension_is_refused() {
+fn rejects_every_truncation_and_extension() {
     let mut buffer = Box::new(scene_file::Buffer::new());
     let mut truncations = 0;
-    for bytes in all() {
+    for bytes in all_compiled() {
         for length in 0..bytes.len() {
             assert!(buffer.decode(&bytes[..length]).is_err(), "{length}");
             truncations += 1;
@@ -75,7 +77,7 @@ fn every_truncation_and_extension_is_refused() {
     );
 }
 
-/// Puts a right checksum behind changed bytes.
+/// Replaces the trailing checksum of changed bytes by a correct one.
 fn resealed(mut bytes: Vec<u8>) -> Vec<u8> {
     let body = bytes.len() - 4;
     let mut crc = Crc32::new();
@@ -85,7 +87,7 @@ fn resealed(mut bytes: Vec<u8>) -> Vec<u8> {
 }
 
 #[test]
-fn other_versions_and_impossible_values_are_refused() {
+fn rejects_other_versions_and_invalid_values() {
     let mut buffer = SceneBuffer::<16, 4, 16>::new();
     let mut newer = compiled("whitted");
     newer[4] += 1;
@@ -99,7 +101,8 @@ fn other_versions_and_impossible_values_are_refused() {
     );
 
     let mut far_eye = compiled("whitted");
-    // After magic, version and three counts: the highest byte of the eye's x.
+    // Magic, version and three counts take 11 bytes; 3 bytes after them is the high
+    // byte of the eye's x.
     far_eye[11 + 3] = 0x7f;
     assert_eq!(
         buffer.decode(&resealed(far_eye)).unwrap_err(),
@@ -108,14 +111,14 @@ fn other_versions_and_impossible_values_are_refused() {
 }
 
 #[test]
-fn a_scene_that_does_not_fit_is_refused() {
+fn rejects_scene_larger_than_buffer() {
     let mut buffer = SceneBuffer::<2, 4, 16>::new();
     let error = buffer.decode(&compiled("whitted")).unwrap_err();
     assert_eq!(error.to_string(), "too many objects: the buffer holds 2");
 }
 
 #[test]
-fn encoding_needs_enough_room() {
+fn encode_rejects_short_slice() {
     let mut buffer = SceneBuffer::<16, 4, 16>::new();
     let bytes = compiled("whitted");
     let scene = buffer.decode(&bytes).unwrap();

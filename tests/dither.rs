@@ -1,35 +1,31 @@
-//! What dithering promises: a box of 8x8 pixels has the mean of what it shows.
+//! Dithering: the mean of every 8x8 box of pixels matches the mean of the undithered
+//! values.
 
 use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray4, Rgb565};
 use embedded_graphics::prelude::*;
 use whitted::render::{DisplayColor, Output, Transfer};
 use whitted::{Color, Radiance};
 
-/// A picture that rises evenly from black at a corner or an edge to white.
+/// Gray ramp from black, at the left or top edge or the top left corner, to white.
 #[derive(Clone, Copy, Debug)]
 struct Ramp {
-    /// 1 / slope: columns from black to white.
+    /// Number of columns from black to white; infinite for a vertical ramp.
     columns: f64,
-    /// The same for rows.
+    /// Number of rows from black to white; infinite for a horizontal ramp.
     rows: f64,
-    /// Whether it falls, from white to black.
+    /// True for a ramp from white to black.
     falls: bool,
 }
 
-const RISING: Ramp = Ramp {
-    columns: f64::INFINITY,
-    rows: f64::INFINITY,
-    falls: false,
-};
-
 impl Ramp {
+    /// Returns the gray value of a pixel, 0 to 1.
     fn at(&self, x: i32, y: i32) -> f64 {
         let value = (f64::from(x) / self.columns + f64::from(y) / self.rows).min(1.0);
         if self.falls { 1.0 - value } else { value }
     }
 }
 
-/// A color's channels as shares of full scale.
+/// Channels of a display color as fractions of full scale.
 trait Channels: DisplayColor {
     fn channels(self) -> Vec<f64>;
 }
@@ -64,11 +60,11 @@ impl Channels for BinaryColor {
 
 const SIZE: Size = Size::new(672, 120);
 
-/// The gray light that is shown as a value.
+/// Returns the linear radiance that a transfer function maps to this gray value.
 fn light(value: f64, transfer: Transfer) -> Color<Radiance> {
     let light = match transfer {
         Transfer::Linear => value,
-        // IEC 61966-2-1, backwards.
+        // Inverse of the sRGB transfer function, IEC 61966-2-1.
         Transfer::Srgb if value <= 0.040_45 => value / 12.92,
         Transfer::Srgb => ((value + 0.055) / 1.055).powf(2.4),
     };
@@ -76,9 +72,9 @@ fn light(value: f64, transfer: Transfer) -> Color<Radiance> {
     Color::new(light, light, light)
 }
 
-/// The largest error of the mean of an 8x8 box, in 1/255; of boxes that start
-/// at each `step`th row and column.
-fn worst<P: Channels>(ramp: Ramp, transfer: Transfer, step: usize) -> f64 {
+/// Returns the largest error of the mean of an 8x8 box, in units of 1/255. Boxes
+/// start at every `step`-th row and column.
+fn largest_box_error<P: Channels>(ramp: Ramp, transfer: Transfer, step: usize) -> f64 {
     let output = Output {
         transfer,
         ..Output::default()
@@ -112,16 +108,30 @@ fn worst<P: Channels>(ramp: Ramp, transfer: Transfer, step: usize) -> f64 {
     worst
 }
 
+/// Checks the limits of four color types: 1/255 for 16-bit color, 4/255 for 4, 2
+/// and 1 bits of gray.
 #[track_caller]
-fn holds(ramp: Ramp, step: usize) {
+fn check(ramp: Ramp, step: usize) {
     for transfer in [Transfer::Linear, Transfer::Srgb] {
         let errors = [
-            ("Rgb565", worst::<Rgb565>(ramp, transfer, step), 1.0),
-            ("Gray4", worst::<Gray4>(ramp, transfer, step), 4.0),
-            ("Gray2", worst::<Gray2>(ramp, transfer, step), 4.0),
+            (
+                "Rgb565",
+                largest_box_error::<Rgb565>(ramp, transfer, step),
+                1.0,
+            ),
+            (
+                "Gray4",
+                largest_box_error::<Gray4>(ramp, transfer, step),
+                4.0,
+            ),
+            (
+                "Gray2",
+                largest_box_error::<Gray2>(ramp, transfer, step),
+                4.0,
+            ),
             (
                 "BinaryColor",
-                worst::<BinaryColor>(ramp, transfer, step),
+                largest_box_error::<BinaryColor>(ramp, transfer, step),
                 4.0,
             ),
         ];
@@ -132,43 +142,37 @@ fn holds(ramp: Ramp, step: usize) {
     }
 }
 
-/// A ramp of 448 pixels changes by a box's 1/64 in half of the box; steeper
-/// ones have more pixels of one column between two levels than make up 4/255.
+/// Ramps of 448 pixels and more change by at most 1/56 within a box. On steeper
+/// ramps the error of the mean can exceed 4/255.
 #[test]
-fn any_box_of_a_smooth_ramp_has_its_mean() {
+fn every_box_of_smooth_ramps_keeps_mean() {
     for length in [448.0, 500.0, 640.0, 1024.0, 4096.0] {
         for falls in [false, true] {
-            let across = Ramp {
-                columns: length,
-                falls,
-                ..RISING
-            };
-            holds(across, 1);
-            let down = Ramp {
-                rows: length,
-                falls,
-                ..RISING
-            };
-            holds(down, 1);
-            let diagonal = Ramp {
-                columns: 2.0 * length,
-                rows: 2.0 * length,
-                falls,
-            };
-            holds(diagonal, 1);
-            let slanted = Ramp {
-                columns: 1.5 * length,
-                rows: 3.0 * length,
-                falls,
-            };
-            holds(slanted, 1);
+            for (columns, rows) in [
+                (length, f64::INFINITY),
+                (f64::INFINITY, length),
+                (2.0 * length, 2.0 * length),
+                (1.5 * length, 3.0 * length),
+            ] {
+                let ramp = Ramp {
+                    columns,
+                    rows,
+                    falls,
+                };
+                check(ramp, 1);
+            }
         }
     }
 }
 
 #[test]
-fn tiles_of_a_ramp_over_a_small_display_have_its_mean() {
+fn aligned_boxes_of_display_wide_ramps_keep_mean() {
     for columns in [240.0, 255.0, 256.0, 319.0, 320.0] {
-        holds(Ramp { columns, ..RISING }, 8);
+        let ramp = Ramp {
+            columns,
+            rows: f64::INFINITY,
+            falls: false,
+        };
+        check(ramp, 8);
     }
 }

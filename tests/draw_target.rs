@@ -1,7 +1,9 @@
-//! What a renderer promises to a display.
+//! Contract between the renderer and its `DrawTarget`: calls, errors and observers.
 
 #![allow(clippy::unwrap_used)]
 
+#[path = "common/line_display.rs"]
+mod line_display;
 #[path = "common/mirror_ball.rs"]
 mod mirror_ball;
 
@@ -18,10 +20,12 @@ use embedded_graphics::primitives::Rectangle;
 use whitted::observer::{Observer, RayKind, Stats};
 use whitted::{Renderer, SceneBuffer};
 
+use line_display::{LineDisplay, Unplugged};
 use mirror_ball::SCENE;
 
-/// The mock display panics on a pixel that is drawn twice or lies outside.
-fn draws_every_pixel_once<C>(size: Size)
+/// Checks that a picture is drawn completely. `MockDisplay` panics if a pixel is
+/// drawn twice or lies outside the display.
+fn assert_draws_every_pixel_once<C>(size: Size)
 where
     C: PixelColor + whitted::render::DisplayColor,
     MockDisplay<C>: DrawTarget<Color = C, Error = Infallible>,
@@ -41,72 +45,31 @@ where
 }
 
 #[test]
-fn every_pixel_is_drawn_once_in_every_color() {
+fn draws_every_pixel_once_in_every_color_type() {
     let size = Size::new(33, 17);
-    draws_every_pixel_once::<Rgb555>(size);
-    draws_every_pixel_once::<Rgb565>(size);
-    draws_every_pixel_once::<Rgb666>(size);
-    draws_every_pixel_once::<Rgb888>(size);
-    draws_every_pixel_once::<Bgr555>(size);
-    draws_every_pixel_once::<Bgr565>(size);
-    draws_every_pixel_once::<Bgr666>(size);
-    draws_every_pixel_once::<Bgr888>(size);
-    draws_every_pixel_once::<Gray8>(size);
-    draws_every_pixel_once::<Gray4>(size);
-    draws_every_pixel_once::<Gray2>(size);
-    draws_every_pixel_once::<BinaryColor>(size);
+    assert_draws_every_pixel_once::<Rgb555>(size);
+    assert_draws_every_pixel_once::<Rgb565>(size);
+    assert_draws_every_pixel_once::<Rgb666>(size);
+    assert_draws_every_pixel_once::<Rgb888>(size);
+    assert_draws_every_pixel_once::<Bgr555>(size);
+    assert_draws_every_pixel_once::<Bgr565>(size);
+    assert_draws_every_pixel_once::<Bgr666>(size);
+    assert_draws_every_pixel_once::<Bgr888>(size);
+    assert_draws_every_pixel_once::<Gray8>(size);
+    assert_draws_every_pixel_once::<Gray4>(size);
+    assert_draws_every_pixel_once::<Gray2>(size);
+    assert_draws_every_pixel_once::<BinaryColor>(size);
 }
 
 #[test]
-fn every_size_works() {
+fn accepts_every_size() {
     for (width, height) in [(0, 0), (0, 5), (5, 0), (1, 1), (64, 1), (1, 64), (64, 64)] {
-        draws_every_pixel_once::<Gray8>(Size::new(width, height));
-    }
-}
-
-/// Takes only whole lines, remembers them, and fails when told to.
-#[derive(Default)]
-struct LineDisplay {
-    lines: Vec<(Rectangle, Vec<Rgb888>)>,
-    /// The call, and how many pixels it takes before that.
-    fails_at: Option<(usize, usize)>,
-}
-
-#[derive(Debug, PartialEq)]
-struct Unplugged;
-
-impl OriginDimensions for LineDisplay {
-    fn size(&self) -> Size {
-        Size::new(40, 30)
-    }
-}
-
-impl DrawTarget for LineDisplay {
-    type Color = Rgb888;
-    type Error = Unplugged;
-
-    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb888>>>(&mut self, _: I) -> Result<(), Unplugged> {
-        panic!("pixel by pixel")
-    }
-
-    fn fill_contiguous<I: IntoIterator<Item = Rgb888>>(
-        &mut self,
-        area: &Rectangle,
-        colors: I,
-    ) -> Result<(), Unplugged> {
-        if let Some((call, pixels)) = self.fails_at
-            && call == self.lines.len()
-        {
-            colors.into_iter().take(pixels).for_each(drop);
-            return Err(Unplugged);
-        }
-        self.lines.push((*area, colors.into_iter().collect()));
-        Ok(())
+        assert_draws_every_pixel_once::<Gray8>(Size::new(width, height));
     }
 }
 
 #[test]
-fn a_line_is_one_fill_contiguous() {
+fn draws_each_line_by_one_fill_contiguous() {
     let mut buffer = SceneBuffer::<2, 1, 2>::new();
     let scene = buffer.prepare(&SCENE).unwrap();
     let mut display = LineDisplay::default();
@@ -115,7 +78,7 @@ fn a_line_is_one_fill_contiguous() {
     assert_eq!(display.lines.len(), 30);
     for (y, (area, colors)) in (0..).zip(&display.lines) {
         assert_eq!(*area, Rectangle::new(Point::new(0, y), Size::new(40, 1)));
-        // The slice entry gives the same line.
+        // `render_line` must give the same colors.
         let mut line = [Rgb888::BLACK; 40];
         renderer.render_line(y as u32, &mut line);
         assert_eq!(colors.as_slice(), line);
@@ -123,7 +86,7 @@ fn a_line_is_one_fill_contiguous() {
 }
 
 #[test]
-fn a_display_error_comes_back_and_the_line_can_be_drawn_again() {
+fn returns_display_error_and_can_redraw_the_line() {
     let mut buffer = SceneBuffer::<2, 1, 2>::new();
     let scene = buffer.prepare(&SCENE).unwrap();
     let mut whole = LineDisplay::default();
@@ -131,7 +94,7 @@ fn a_display_error_comes_back_and_the_line_can_be_drawn_again() {
         .draw(&mut whole)
         .unwrap();
 
-    // At every call, and after each number of pixels of a line.
+    // Failures at the start of every line, and after every pixel of line 7.
     for (call, pixels) in (0..30).map(|call| (call, 0)).chain((0..40).map(|n| (7, n))) {
         let mut display = LineDisplay {
             fails_at: Some((call, pixels)),
@@ -149,7 +112,7 @@ fn a_display_error_comes_back_and_the_line_can_be_drawn_again() {
 }
 
 #[test]
-fn lines_outside_of_the_picture_are_empty() {
+fn lines_outside_the_picture_are_empty() {
     let mut buffer = SceneBuffer::<2, 1, 2>::new();
     let scene = buffer.prepare(&SCENE).unwrap();
     let mut renderer = Renderer::new(&scene, Size::new(8, 4));
@@ -162,10 +125,10 @@ fn lines_outside_of_the_picture_are_empty() {
 }
 
 #[test]
-fn an_observer_is_told_of_every_ray() {
+fn observer_counts_every_ray() {
     #[derive(Default)]
-    struct Deepest(u32);
-    impl Observer for Deepest {
+    struct Reflected(u32);
+    impl Observer for Reflected {
         fn ray(&mut self, kind: RayKind) {
             self.0 += u32::from(kind == RayKind::Reflected);
         }
@@ -183,18 +146,19 @@ fn an_observer_is_told_of_every_ray() {
     assert!(stats.reflected > 0 && stats.shadow > stats.camera / 2);
     assert_eq!(stats.transmitted, 0);
 
-    // In a line a pixel learns from the one before how far the floor is.
+    // Within a line, the distance of the floor is computed once, so lines need fewer
+    // intersection tests than single pixels.
     let mut renderer = Renderer::with_observer(&scene, Size::new(16, 8), Stats::default());
     for (x, y) in (0..8).flat_map(|y| (0..16).map(move |x| (x, y))) {
         renderer.pixel(x, y);
     }
-    let alone = *renderer.observer();
+    let single = *renderer.observer();
     let rays = |stats: Stats| u64::from(stats.camera + stats.reflected + stats.shadow);
-    assert_eq!(rays(stats), rays(alone));
-    assert!((rays(alone) / 2..2 * rays(alone)).contains(&alone.intersections));
-    assert!(stats.intersections < alone.intersections);
+    assert_eq!(rays(stats), rays(single));
+    assert!((rays(single) / 2..2 * rays(single)).contains(&single.intersections));
+    assert!(stats.intersections < single.intersections);
 
-    let mut renderer = Renderer::with_observer(&scene, Size::new(16, 8), Deepest::default());
+    let mut renderer = Renderer::with_observer(&scene, Size::new(16, 8), Reflected::default());
     (0..8).for_each(|y| renderer.line(y).for_each(drop));
     assert_eq!(renderer.observer().0, stats.reflected);
 

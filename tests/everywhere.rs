@@ -1,6 +1,6 @@
-//! Small pictures that `cargo xtask prove` also draws in Miri, as on a machine of
-//! the other byte order. Nothing is read from scene files: in Miri that takes
-//! longer than all else.
+//! Small pictures with known checksums, which `cargo xtask prove` also draws in
+//! Miri on an emulated big-endian machine. Scenes are compiled in, because parsing
+//! a scene file in Miri takes longer than drawing.
 
 use std::path::Path;
 
@@ -11,10 +11,10 @@ use whitted::{PreparedScene, Real, SceneBuffer};
 use whitted_sim::render;
 
 #[path = "../tests/rigs/motion/src/scene.rs"]
-#[allow(dead_code, reason = "its times and size are those of firmware")]
+#[allow(dead_code, reason = "only firmware uses its frame times and size")]
 mod moving;
 
-/// scenes/every_surface.toml.
+/// Compiled form of scenes/every_surface.toml.
 const COMPILED: &[u8] = include_bytes!("../fuzz/corpus/compiled/every_surface_sealed");
 
 type Outcome = Result<(), Box<dyn std::error::Error>>;
@@ -24,7 +24,7 @@ fn checksum(scene: &PreparedScene<'_>) -> u32 {
 }
 
 #[test]
-fn a_compiled_scene_is_the_same_everywhere() -> Outcome {
+fn compiled_scene_checksum() -> Outcome {
     let mut buffer = SceneBuffer::<24, 3, 12>::new();
     let scene = buffer.decode(COMPILED)?;
     let mut bytes = vec![0; scene.encoded_len()];
@@ -36,15 +36,16 @@ fn a_compiled_scene_is_the_same_everywhere() -> Outcome {
 }
 
 #[test]
-fn a_frame_is_the_same_everywhere() -> Outcome {
-    let mut stage = AnimatedScene::<5, 1>::new();
-    let frame = stage.frame(&moving::SCENE, &moving::ANIMATION, Real::lit("0.7"))?;
+fn animation_frame_checksum() -> Outcome {
+    let mut animated = AnimatedScene::<5, 1>::new();
+    let frame = animated.frame(&moving::SCENE, &moving::ANIMATION, Real::lit("0.7"))?;
     let mut buffer = SceneBuffer::<5, 1, 5>::new();
     let scene = buffer.prepare(&frame)?;
     let mut bytes = vec![0; scene.encoded_len()];
     assert_eq!(scene.encode(&mut bytes), Some(bytes.len()));
     let mut crc = Crc32::new();
-    // All but the checksum at their end, with which any bytes have the same one.
+    // The trailing checksum is left out: with it, the CRC of any valid scene is
+    // the same constant.
     crc.update(&bytes[..bytes.len() - 4]);
     let (compiled, drawn) = (crc.finish(), checksum(&scene));
     assert_eq!(compiled, 0x796c_fad8, "{compiled:#x}");
@@ -53,8 +54,8 @@ fn a_frame_is_the_same_everywhere() -> Outcome {
 }
 
 #[test]
-#[cfg_attr(miri, ignore = "it reads a scene file")]
-fn the_compiled_scene_is_that_of_its_file() -> Outcome {
+#[cfg_attr(miri, ignore = "reads a scene file")]
+fn compiled_scene_matches_scene_file() -> Outcome {
     let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/every_surface.toml");
     assert_eq!(
         whitted_sim::scene_file::compile(Path::new(scene))?,

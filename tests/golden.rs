@@ -1,8 +1,8 @@
-//! Pictures that must not change by a bit: what each kind of display is sent,
-//! and by their checksums those of all scenes.
+//! Golden pictures, compared bit for bit: one PNG for each display color type, and
+//! the checksums of all scenes.
 //!
-//! `BLESS=1 cargo test --test golden` writes them anew; look at them before
-//! they are committed.
+//! `BLESS=1 cargo test --test golden` rewrites the files; inspect them before you
+//! commit them.
 
 #![allow(clippy::unwrap_used)]
 
@@ -23,7 +23,7 @@ use whitted_sim::picture::Picture;
 use whitted_sim::{png16, render, scene_file};
 
 #[path = "random_scenes/generator.rs"]
-#[allow(dead_code, reason = "its own tests ask more of it")]
+#[allow(dead_code, reason = "`bounces` is used by tests/random_scenes only")]
 mod generator;
 
 const SIZE: Size = Size::new(96, 72);
@@ -41,6 +41,7 @@ const SRGB: Output = Output {
     ..DITHERED
 };
 
+/// Renders scenes/whitted.toml in a display color type.
 fn draw<C>(output: Output) -> Picture
 where
     C: PixelColor + DisplayColor + From<BinaryColor> + Into<Rgb888>,
@@ -67,6 +68,7 @@ where
     }
 }
 
+/// Compares a picture with its golden PNG.
 #[track_caller]
 fn check(name: &str, drawn: &Picture) {
     let path: PathBuf = [env!("CARGO_MANIFEST_DIR"), "tests", "golden", name]
@@ -131,7 +133,8 @@ fn antialiased() {
     }
 }
 
-/// A line for each picture: its checksum and its name.
+/// Draws every scene of `scenes` and a hundred random ones at 64x48. Returns a
+/// line for each, with the CRC-32 of its 16-bit linear channels and its name.
 fn checksums() -> String {
     const SIZE: Size = Size::new(64, 48);
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes");
@@ -157,26 +160,24 @@ fn checksums() -> String {
     lines
 }
 
-/// Of all that can be seen, to the last of 16 bits.
 #[test]
-fn every_scene_and_a_hundred_random_ones() {
+fn scene_checksums() {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/golden/checksums.txt");
     let drawn = checksums();
     if std::env::var_os("BLESS").is_some() {
         fs::write(path, &drawn).unwrap();
     }
     let golden = fs::read_to_string(path).unwrap();
-    let other = |(drawn, golden): (&str, &str)| (drawn != golden).then(|| drawn.to_owned());
-    let others: Vec<_> = drawn
-        .lines()
-        .zip(golden.lines())
-        .filter_map(other)
-        .collect();
-    assert!(drawn == golden, "they are others: {others:#?}");
+    let pairs = drawn.lines().zip(golden.lines());
+    let changed: Vec<_> = pairs.filter(|(drawn, golden)| drawn != golden).collect();
+    assert!(
+        drawn == golden,
+        "drawn and golden checksums differ: {changed:#?}"
+    );
 }
 
 #[test]
-fn blue_first_formats_look_like_their_red_first_ones() {
+fn bgr_formats_show_same_colors_as_rgb() {
     assert_eq!(draw::<Bgr555>(DITHERED), draw::<Rgb555>(DITHERED));
     assert_eq!(draw::<Bgr565>(DITHERED), draw::<Rgb565>(DITHERED));
     assert_eq!(draw::<Bgr666>(DITHERED), draw::<Rgb666>(DITHERED));

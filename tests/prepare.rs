@@ -1,4 +1,4 @@
-//! What preparing refuses, item by item.
+//! Validation of scenes by `SceneBuffer::prepare`, item by item.
 
 #![allow(clippy::unwrap_used)]
 
@@ -15,7 +15,7 @@ const CAMERA: Camera = Camera::new(
 );
 const SPHERE: Object = Object::sphere(Vec3::lit("0", "1", "0"), Real::ONE, MaterialId(0));
 
-/// The error of a scene with one of each.
+/// Returns the error of a scene with this camera, light, material and second object.
 fn error(camera: Camera, light: Light, material: Material, object: Object) -> SceneError {
     let scene = Scene {
         lights: &[light],
@@ -54,7 +54,7 @@ fn setting_error(scene: Scene<'_>) -> String {
 }
 
 #[test]
-fn cameras() {
+fn rejects_invalid_cameras() {
     let far = Real::lit("16777217");
     assert_eq!(
         camera_error(Camera {
@@ -97,7 +97,7 @@ fn cameras() {
 }
 
 #[test]
-fn lights() {
+fn rejects_invalid_lights() {
     let bright = Color::gray(Real::lit("257"));
     assert_eq!(
         light_error(Light {
@@ -117,44 +117,15 @@ fn lights() {
 }
 
 #[test]
-fn materials() {
+fn rejects_invalid_materials() {
+    let black = Material::BLACK;
     let over = Color::lit("0.5", "0.5", "1.01");
     for (field, material) in [
-        (
-            "ka",
-            Material {
-                ka: over,
-                ..Material::BLACK
-            },
-        ),
-        (
-            "kd",
-            Material {
-                kd: over,
-                ..Material::BLACK
-            },
-        ),
-        (
-            "ks",
-            Material {
-                ks: over,
-                ..Material::BLACK
-            },
-        ),
-        (
-            "kr",
-            Material {
-                kr: over,
-                ..Material::BLACK
-            },
-        ),
-        (
-            "kt",
-            Material {
-                kt: over,
-                ..Material::BLACK
-            },
-        ),
+        ("ka", Material { ka: over, ..black }),
+        ("kd", Material { kd: over, ..black }),
+        ("ks", Material { ks: over, ..black }),
+        ("kr", Material { kr: over, ..black }),
+        ("kt", Material { kt: over, ..black }),
     ] {
         assert_eq!(
             material_error(material),
@@ -177,7 +148,7 @@ fn materials() {
         ..Material::BLACK
     };
     assert_eq!(material_error(dense), "material 0: ior must be from 1 to 4");
-    // Neither is read where its coefficient is black.
+    // Shininess is not checked if `ks` is black, nor is `ior` if `kt` is black.
     let unread = Material {
         shininess: Real::ZERO,
         ior: Real::ZERO,
@@ -191,12 +162,12 @@ fn materials() {
 }
 
 #[test]
-fn spheres() {
+fn rejects_invalid_spheres() {
     let sphere =
         |radius: &str| Object::sphere(Vec3::lit("0", "1", "0"), Real::lit(radius), MaterialId(0));
     assert!(object_error(sphere("0")).starts_with("object 1: radius must be from 0.00000"));
     assert!(object_error(sphere("-1")).starts_with("object 1: radius must be from 0.00000"));
-    // The scene is some ten units across: less than a thousandth of a thousandth of it is no sphere.
+    // The scene is about ten units across, so the least radius is about 0.00003.
     assert!(object_error(sphere("0.00002")).starts_with("object 1: radius must be from 0.00003"));
     let dangling = Object {
         texture: Texture::Uniform(MaterialId(7)),
@@ -208,7 +179,7 @@ fn spheres() {
     );
 }
 
-/// What is said of an object of this shape.
+/// Returns the error message for an object of this shape.
 fn shape_error(shape: Shape) -> String {
     object_error(Object { shape, ..SPHERE })
 }
@@ -218,7 +189,7 @@ fn real<const N: usize>(numbers: [&str; N]) -> [Real; N] {
 }
 
 #[test]
-fn ellipsoids() {
+fn rejects_invalid_ellipsoids() {
     let ellipsoid = |radii| {
         let [x, y, z] = real(radii);
         shape_error(Shape::Ellipsoid {
@@ -236,7 +207,7 @@ fn ellipsoids() {
         ellipsoid(["1", "2", "0.007"]),
         "object 1: radii must be from 0.0078125 to 2"
     );
-    // The scene is some ten units across.
+    // The scene is about ten units across, so the least radius is about 0.00003.
     assert_eq!(
         ellipsoid(["0.00001", "0.00002", "0.00003"]),
         "object 1: radii must be from 0.0000305176 to 16777216"
@@ -244,7 +215,7 @@ fn ellipsoids() {
 }
 
 #[test]
-fn cylinders() {
+fn rejects_invalid_cylinders() {
     let cylinder = |radius, y: Option<[&str; 2]>| {
         shape_error(Shape::Cylinder {
             origin: Vec3::lit("0", "0", "0"),
@@ -269,7 +240,7 @@ fn cylinders() {
 }
 
 #[test]
-fn cones() {
+fn rejects_invalid_cones() {
     let cone = |radius, height, y: Option<[&str; 2]>| {
         shape_error(Shape::Cone {
             origin: Vec3::lit("0", "0", "0"),
@@ -294,7 +265,7 @@ fn cones() {
             "object 1: height must be from -1024 to -0.0009765625"
         );
     }
-    // Within the slope, but too small for the scene's scale.
+    // The slope is valid, but the height is too small for the scene's scale.
     for (height, range) in [
         ("0.00002", "from 0.0000305176 to 16777216"),
         ("-0.00002", "from -16777216 to -0.0000305176"),
@@ -308,7 +279,7 @@ fn cones() {
         cone("1", "1", Some(["1", "0"])),
         "object 1: y must run from a lower to a higher value"
     );
-    // Wider than the world.
+    // The cone would be wider than the valid range at y = -20000.
     assert_eq!(
         cone("1024", "1", Some(["-20000", "1"])),
         "object 1: y must be from -16383 to 16385"
@@ -316,7 +287,7 @@ fn cones() {
 }
 
 #[test]
-fn paraboloids() {
+fn rejects_invalid_paraboloids() {
     let paraboloid = |y| {
         shape_error(Shape::Paraboloid {
             origin: Vec3::lit("0", "0", "0"),
@@ -340,7 +311,7 @@ fn paraboloids() {
 }
 
 #[test]
-fn sphereflakes() {
+fn rejects_invalid_sphereflakes() {
     let flake = |radius, depth, ratio, frame| {
         shape_error(Shape::Sphereflake {
             center: Vec3::lit("0", "0", "0"),
@@ -358,7 +329,7 @@ fn sphereflakes() {
         flake("1", 9, "0.5", Shape::FLAKE_FRAME),
         "object 1: depth must be from 0 to 8"
     );
-    // The smallest spheres would be a hundred-thousandth.
+    // At depth 5, the smallest spheres would have a radius of 0.00001.
     assert_eq!(
         flake("1", 5, "0.1", Shape::FLAKE_FRAME),
         "object 1: depth must be from 0 to 4"
@@ -387,7 +358,7 @@ fn sphereflakes() {
 }
 
 #[test]
-fn planes() {
+fn rejects_invalid_planes_and_checkers() {
     let plane = |normal, bounds| Object {
         shape: Shape::Plane {
             normal,
@@ -428,7 +399,7 @@ fn planes() {
 }
 
 #[test]
-fn settings() {
+fn rejects_invalid_settings() {
     let scene = Scene::new(CAMERA);
     assert_eq!(
         setting_error(Scene {
@@ -476,32 +447,33 @@ fn settings() {
     assert_eq!(prepared_depth(33), Err(SceneItem::Scene));
 }
 
-/// Items are numbered by 16 bits, and one number stands for none.
+/// Items have 16-bit indices, of which one means "none", so lists hold at most 65,535.
 #[test]
-fn lists_that_are_too_long_to_be_numbered() {
+fn rejects_lists_longer_than_16_bit_indices() {
     let (lights, materials) = (vec![light(); 65_536], vec![Material::BLACK; 65_536]);
     let objects = vec![SPHERE; 65_536];
     let scene = Scene {
         materials: &materials[..1],
         ..Scene::new(CAMERA)
     };
-    let refused = |list, room| format!("scene: {list} exceed the buffer's capacity of {room}");
+    let too_long =
+        |list, capacity| format!("scene: {list} exceed the buffer's capacity of {capacity}");
     for count in [65_536, 65_535] {
-        // The longest that can be numbered is too long for the buffer.
-        let room = if count == 65_535 { 1 } else { 65_535 };
+        // The longest valid list exceeds the capacity of the buffer, which is 1.
+        let capacity = if count == 65_535 { 1 } else { 65_535 };
         let (lights, materials, objects) =
             (&lights[..count], &materials[..count], &objects[..count]);
         assert_eq!(
             setting_error(Scene { lights, ..scene }),
-            refused("lights", room)
+            too_long("lights", capacity)
         );
         assert_eq!(
             setting_error(Scene { materials, ..scene }),
-            refused("materials", room)
+            too_long("materials", capacity)
         );
         assert_eq!(
             setting_error(Scene { objects, ..scene }),
-            refused("objects", room)
+            too_long("objects", capacity)
         );
     }
 }

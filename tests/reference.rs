@@ -1,8 +1,9 @@
-//! Against the reference images: 16-bit linear pictures by POV-Ray 3.7 and, of
-//! `ftb`, by a double-precision tracer; see tests/reference/README.md.
+//! Compares pictures with the reference images: 16-bit linear images by POV-Ray
+//! 3.7 and, for `ftb`, by a double-precision tracer. See
+//! tests/reference/README.md.
 //!
-//! A bound is the measured value less a small margin, so that a regression of
-//! the arithmetic fails.
+//! Each limit is the measured value less a small margin, so that a loss of
+//! precision fails the test.
 
 #![allow(clippy::unwrap_used)]
 
@@ -12,7 +13,9 @@ use std::fs;
 
 use whitted_oracle::{compare, read_png};
 
-/// Compares a scene at its reference's size.
+/// Renders a scene at the size of its reference image. Requires a PSNR above
+/// `least_psnr` dB and a share of pixels within 1/255 of at least
+/// `least_within_one`.
 #[track_caller]
 fn check(name: &str, least_psnr: f64, least_within_one: f64) {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/reference");
@@ -48,20 +51,20 @@ references! {
     phong_terms: "03_phong_terms", 106.0 dB, 1.0;
     shininess_phong: "04_shininess_phong", 104.0 dB, 1.0;
     shininess_blinn: "05_shininess_blinn", 102.5 dB, 1.0;
-    // Single pixels, spread over the spheres.
+    // The outliers are single pixels, spread over the spheres.
     glass_indices: "11_glass_indices", 83.0 dB, 0.9997;
     cylinder: "06_cylinder", 101.5 dB, 1.0;
     cone: "07_cone", 101.5 dB, 1.0;
     paraboloid: "08_paraboloid", 101.5 dB, 1.0;
     ellipsoid: "09_ellipsoid", 100.5 dB, 1.0;
-    mirrors_once: "10_mirrors_d1", 103.0 dB, 1.0;
-    mirrors_thrice: "10_mirrors_d3", 102.5 dB, 1.0;
-    mirrors: "10_mirrors_d6", 102.5 dB, 1.0;
-    total_reflection: "11b_tir_ellipsoids", 98.5 dB, 1.0;
+    mirrors_depth_1: "10_mirrors_d1", 103.0 dB, 1.0;
+    mirrors_depth_3: "10_mirrors_d3", 102.5 dB, 1.0;
+    mirrors_depth_6: "10_mirrors_d6", 102.5 dB, 1.0;
+    total_internal_reflection: "11b_tir_ellipsoids", 98.5 dB, 1.0;
     filters: "12_filters", 96.0 dB, 1.0;
-    flake_of_depth_1: "13_flake_d1", 102.0 dB, 1.0;
-    flake_of_depth_3: "13_flake_d3", 80.0 dB, 0.9998;
-    flake_of_depth_6: "13_flake_d6", 57.0 dB, 0.990;
+    sphereflake_depth_1: "13_flake_d1", 102.0 dB, 1.0;
+    sphereflake_depth_3: "13_flake_d3", 80.0 dB, 0.9998;
+    sphereflake_depth_6: "13_flake_d6", 57.0 dB, 0.990;
     glass_and_mirror: "t10_tir_kt_kr", 101.0 dB, 1.0;
     four_spheres: "ftb", 66.0 dB, 0.9999;
     kt_plus_kd: "t06_kt_plus_kd", 88.5 dB, 0.9998;

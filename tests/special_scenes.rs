@@ -1,4 +1,5 @@
-//! What the reference scenes do not show, against the double-precision oracle.
+//! Compares scenes that no reference image covers with the double-precision
+//! oracle, or with the result known by construction.
 
 #![allow(clippy::unwrap_used)]
 
@@ -8,162 +9,152 @@ use whitted::observer::{Observer, RayKind, ShapeKind};
 use whitted::{Color, Real};
 use whitted_oracle::compare;
 
+/// Renders a scene of 96x72 pixels and requires 60 dB and 99.95 % of the pixels
+/// within 1/255 of the oracle's.
 #[track_caller]
-fn agrees(text: &str) -> Vec<[f64; 3]> {
+fn assert_matches_oracle(text: &str) -> Vec<[f64; 3]> {
     let text = format!("min_weight = 0\n{text}");
     let (width, height) = (96, 72);
     let expected = whitted_oracle::parse::<f64>(&text).render(width, height);
     let rendered = common::render(&text, width, height);
     let result = compare(&rendered, &expected);
-    println!(
+    let measured = format!(
         "{:.1} dB, {:.5} within 1/255",
         result.psnr, result.within_one
     );
+    println!("{measured}");
     assert!(
         result.psnr > 60.0 && result.within_one > 0.9995,
-        "{:.1} dB, {:.5} within 1/255",
-        result.psnr,
-        result.within_one
+        "{measured}"
     );
     rendered
 }
 
-/// So many that rays meet the bounds of groups first.
+/// With 48 spheres, rays are tested against the bounds of groups first.
 #[test]
-fn forty_eight_balls_reflect_each_other() {
-    agrees(include_str!("../scenes/sunflower.toml"));
+fn many_reflecting_spheres() {
+    assert_matches_oracle(include_str!("../scenes/sunflower.toml"));
 }
 
-/// Planes in all directions, from both sides.
+/// The room shows planes of every orientation, from both sides.
 #[test]
-fn a_room_is_lit_from_within() {
-    agrees(include_str!("../scenes/room.toml"));
+fn room_with_light_inside() {
+    assert_matches_oracle(include_str!("../scenes/room.toml"));
 }
 
-/// What is told of a light on its way: its tests, and then what they left of it.
+/// Checks each shadow ray: its transmittance is 1 exactly if no test reported a
+/// hit. Counts attenuated and clear shadow rays.
 #[derive(Clone, Default)]
-struct Way {
-    is_hidden: bool,
-    filtered: u32,
+struct Transmittance {
+    is_hit: bool,
+    attenuated: u32,
     clear: u32,
 }
 
-impl Observer for Way {
+impl Observer for Transmittance {
     fn ray(&mut self, _: RayKind) {
-        self.is_hidden = false;
+        self.is_hit = false;
     }
 
-    fn test(&mut self, _: ShapeKind, met: bool) {
-        self.is_hidden |= met;
+    fn test(&mut self, _: ShapeKind, is_hit: bool) {
+        self.is_hit |= is_hit;
     }
 
-    fn shadow(&mut self, _: u16, left: Option<Color<Real>>) {
-        let is_clear = left == Some(Color::gray(Real::ONE));
-        assert_eq!(is_clear, !self.is_hidden, "{left:?}");
-        self.filtered += u32::from(!is_clear);
+    fn shadow(&mut self, _: u16, transmittance: Option<Color<Real>>) {
+        let is_clear = transmittance == Some(Color::gray(Real::ONE));
+        assert_eq!(is_clear, !self.is_hit, "{transmittance:?}");
+        self.attenuated += u32::from(!is_clear);
         self.clear += u32::from(is_clear);
     }
 }
 
 #[test]
-fn what_takes_light_away_is_told_of_as_met() {
+fn observer_sees_hits_of_attenuated_shadow_rays() {
     let scene = include_str!("../scenes/filters.toml");
-    let (_, way) = common::observe(scene, [96, 72], Way::default());
-    assert!(way.filtered > 500 && way.clear > 500);
+    let (_, counts) = common::observe(scene, [96, 72], Transmittance::default());
+    assert!(counts.attenuated > 500 && counts.clear > 500);
 }
 
-const SPHERES: &str = r#"
-[camera]
-eye = [0, 1, 4]
-look_at = [0, 1, 0]
-fovy_deg = 60
-[[lights]]
-position = [-3, 4, 3]
-color = [0.8, 0.8, 0.8]
-[materials.red]
-ka = [0.1, 0, 0]
-kd = [0.8, 0.1, 0.1]
-[materials.mirror]
-kd = [0.1, 0.1, 0.1]
-kr = [0.8, 0.8, 0.8]
-[[objects]]
-type = "sphere"
-center = [0, 1, 0]
-radius = 0.7
-material = "red"
+/// Light and materials of the scenes with mirrors and water.
+const LIGHT_AND_MATERIALS: &str = r#"
+lights = [{ position = [-3, 4, 3], color = [0.8, 0.8, 0.8] }]
+materials.red = { ka = [0.1, 0, 0], kd = [0.8, 0.1, 0.1] }
+materials.mirror = { kd = [0.1, 0.1, 0.1], kr = [0.8, 0.8, 0.8] }
 "#;
 
-/// A mirror forty units behind all else: its points are far, and what they
-/// reflect is near.
+/// Camera of the scenes with mirrors and water.
+const CAMERA: &str = "camera = { eye = [0, 1, 4], look_at = [0, 1, 0], fovy_deg = 60 }";
+/// Sphere in front of the mirrors, and partly under water.
+const RED_SPHERE: &str =
+    r#"{ type = "sphere", center = [0, 1, 0], radius = 0.7, material = "red" }"#;
+
+/// The mirror is 40 units behind the other objects: reflected rays start in the
+/// extended range and hit objects in the near range.
 #[test]
-fn a_far_mirror_shows_the_scene() {
-    let spheres = SPHERES
-        .replace("fovy_deg = 60", "fovy_deg = 20")
-        .replace("center = [0, 1, 0]", "center = [-1.5, 1, 0]");
-    let mirror = r#"
-[[objects]]
-type = "plane"
-normal = [0, 0, 1]
-point = [0, 0, -40]
-material = "mirror"
-"#;
-    let without = agrees(&format!("background = [0.2, 0.3, 0.5]\n{spheres}{mirror}"));
-    // Beside and behind the eye: seen in the mirror alone.
-    for behind in [
-        "type = \"sphere\"\ncenter = [3, 1, 5.2]\nradius = 1.5",
-        "type = \"ellipsoid\"\ncenter = [3, 1, 5.2]\nradii = [1.2, 1.6, 1.5]",
+fn distant_mirror_reflects_near_objects() {
+    let scene = |hidden: &str| {
+        format!(
+            r#"
+background = [0.2, 0.3, 0.5]
+camera = {{ eye = [0, 1, 4], look_at = [0, 1, 0], fovy_deg = 20 }}
+{LIGHT_AND_MATERIALS}
+objects = [
+  {{ type = "sphere", center = [-1.5, 1, 0], radius = 0.7, material = "red" }},
+  {{ type = "plane", normal = [0, 0, 1], point = [0, 0, -40], material = "mirror" }},
+  {hidden}
+]
+"#
+        )
+    };
+    let without = assert_matches_oracle(&scene(""));
+    // Beside and behind the eye, so only the mirror shows the hidden object.
+    for hidden in [
+        r#"{ type = "sphere", center = [3, 1, 5.2], radius = 1.5, material = "red" }"#,
+        r#"{ type = "ellipsoid", center = [3, 1, 5.2], radii = [1.2, 1.6, 1.5], material = "red" }"#,
     ] {
-        let with = agrees(&format!(
-            "background = [0.2, 0.3, 0.5]\n{spheres}{mirror}[[objects]]\n{behind}\nmaterial = \"red\"\n"
-        ));
+        let with = assert_matches_oracle(&scene(hidden));
         let changed = with.iter().zip(&without).filter(|(a, b)| a != b).count();
-        assert!(changed > 20, "{changed} pixels show what is behind the eye");
+        assert!(changed > 20, "the hidden object changes {changed} pixels");
     }
 }
 
-/// From far point to far point: two endless mirrors face each other.
+/// Two unbounded mirrors face each other, so that rays run from one point in the
+/// extended range to another.
 #[test]
-fn far_mirrors_show_each_other() {
-    agrees(&format!(
-        r#"max_depth = 6
+fn distant_mirrors_reflect_each_other() {
+    assert_matches_oracle(&format!(
+        r#"
+max_depth = 6
 background = [0.2, 0.3, 0.5]
-{SPHERES}
-[materials.tiles_a]
-kd = [0.5, 0.5, 0.5]
-kr = [0.4, 0.4, 0.4]
-[materials.tiles_b]
-kd = [0.1, 0.1, 0.3]
-kr = [0.4, 0.4, 0.4]
-[[objects]]
-type = "plane"
-normal = [0, 0, 1]
-point = [0, 0, -60]
-checker = {{ size = 20, axes = "xy", materials = ["tiles_a", "tiles_b"] }}
-[[objects]]
-type = "plane"
-normal = [0, 0.2, -1]
-point = [0, 0, 50]
-material = "mirror"
+{CAMERA}
+{LIGHT_AND_MATERIALS}
+materials.tiles_a = {{ kd = [0.5, 0.5, 0.5], kr = [0.4, 0.4, 0.4] }}
+materials.tiles_b = {{ kd = [0.1, 0.1, 0.3], kr = [0.4, 0.4, 0.4] }}
+objects = [
+  {RED_SPHERE},
+  {{ type = "plane", normal = [0, 0, 1], point = [0, 0, -60], checker = {{ size = 20, axes = "xy", materials = ["tiles_a", "tiles_b"] }} }},
+  {{ type = "plane", normal = [0, 0.2, -1], point = [0, 0, 50], material = "mirror" }},
+]
 "#
     ));
 }
 
+/// Lights, ambient light and emission above 1 are scaled down by preparing.
 #[test]
-fn bright_lights_and_emission_are_brought_to_scale() {
-    agrees(
+fn bright_lights_and_emission() {
+    assert_matches_oracle(
         r#"
 ambient = [2, 2, 2]
 background = [3, 0.4, 0.2]
-[camera]
-eye = [0, 1, 5]
-look_at = [0, 1, 0]
-fovy_deg = 40
-[[lights]]
-position = [-3, 4, 3]
-color = [7, 5, 6]
-[[lights]]
-position = [4, 4, 3]
-color = [2, 3, 4]
+camera = { eye = [0, 1, 5], look_at = [0, 1, 0], fovy_deg = 40 }
+lights = [
+  { position = [-3, 4, 3], color = [7, 5, 6] },
+  { position = [4, 4, 3], color = [2, 3, 4] },
+]
+objects = [
+  { type = "sphere", center = [0.6, 1, 0], radius = 0.8, material = "dim" },
+  { type = "sphere", center = [-1, 1, 0.4], radius = 0.5, material = "lamp" },
+]
 [materials.dim]
 kd = [0.05, 0.06, 0.07]
 ka = [0.01, 0.02, 0.03]
@@ -172,28 +163,16 @@ ks = [0.1, 0.1, 0.1]
 shininess = 20
 [materials.lamp]
 le = [9, 0.5, 0.1]
-[[objects]]
-type = "sphere"
-center = [0.6, 1, 0]
-radius = 0.8
-material = "dim"
-[[objects]]
-type = "sphere"
-center = [-1, 1, 0.4]
-radius = 0.5
-material = "lamp"
 "#,
     );
 }
 
 #[test]
-fn diffuse_and_specular_colors_of_a_light_are_told_apart() {
-    agrees(
+fn light_with_different_diffuse_and_specular_colors() {
+    assert_matches_oracle(
         r#"
-[camera]
-eye = [0, 1, 5]
-look_at = [0, 1, 0]
-fovy_deg = 40
+camera = { eye = [0, 1, 5], look_at = [0, 1, 0], fovy_deg = 40 }
+objects = [{ type = "sphere", center = [0, 1, 0], radius = 1, material = "shiny" }]
 [[lights]]
 position = [-3, 4, 3]
 diffuse = [0.9, 0.1, 0.1]
@@ -202,79 +181,53 @@ specular = [0.1, 0.9, 0.2]
 kd = [0.5, 0.5, 0.5]
 ks = [0.5, 0.5, 0.5]
 shininess = 12.5
-[[objects]]
-type = "sphere"
-center = [0, 1, 0]
-radius = 1
-material = "shiny"
 "#,
     );
 }
 
-/// A pool: looked into from above, and from a sphere below its surface.
+/// The camera looks into a pool from above; a sphere is partly under water.
 #[test]
-fn an_endless_plane_bounds_water() {
-    agrees(&format!(
-        r#"max_depth = 6
+fn unbounded_plane_as_water_surface() {
+    assert_matches_oracle(&format!(
+        r#"
+max_depth = 6
 background = {{ horizon = [0.5, 0.6, 0.7], zenith = [0.1, 0.2, 0.6] }}
-{SPHERES}
-[materials.water]
-kt = [0.8, 0.9, 0.9]
-kr = [0.1, 0.1, 0.1]
-ior = "water"
-[materials.bottom]
-kd = [0.6, 0.5, 0.3]
-[[objects]]
-type = "plane"
-normal = [0, 1, 0]
-point = [0, 0.9, 0]
-material = "water"
-[[objects]]
-type = "plane"
-normal = [0, 1, 0]
-point = [0, -1, 0]
-checker = {{ size = 0.5, axes = "xz", materials = ["bottom", "red"] }}
+{CAMERA}
+{LIGHT_AND_MATERIALS}
+materials.water = {{ kt = [0.8, 0.9, 0.9], kr = [0.1, 0.1, 0.1], ior = "water" }}
+materials.bottom = {{ kd = [0.6, 0.5, 0.3] }}
+objects = [
+  {RED_SPHERE},
+  {{ type = "plane", normal = [0, 1, 0], point = [0, 0.9, 0], material = "water" }},
+  {{ type = "plane", normal = [0, 1, 0], point = [0, -1, 0], checker = {{ size = 0.5, axes = "xz", materials = ["bottom", "red"] }} }},
+]
 "#
     ));
 }
 
+/// Two intersecting glass spheres at depth 32 would need 2^33 rays per pixel
+/// without the ray budget.
 #[test]
-fn the_ray_budget_ends_a_pixel_gracefully() {
-    // Two glass spheres in each other at depth 32: without a budget, 2^33 rays.
+fn ray_budget_limits_rays_per_pixel() {
     let text = r#"
 max_depth = 32
 min_weight = 0
 background = [0.2, 0.3, 0.5]
-[camera]
-eye = [0, 0, 5]
-look_at = [0, 0, 0]
-fovy_deg = 20
-[materials.glass]
-kr = [1, 1, 1]
-kt = [1, 1, 1]
-ior = 1.5
-[[objects]]
-type = "sphere"
-center = [0, 0, 0]
-radius = 1
-material = "glass"
-[[objects]]
-type = "sphere"
-center = [0.1, 0, 0]
-radius = 0.9
-material = "glass"
+camera = { eye = [0, 0, 5], look_at = [0, 0, 0], fovy_deg = 20 }
+materials.glass = { kr = [1, 1, 1], kt = [1, 1, 1], ior = 1.5 }
+objects = [
+  { type = "sphere", center = [0, 0, 0], radius = 1, material = "glass" },
+  { type = "sphere", center = [0.1, 0, 0], radius = 0.9, material = "glass" },
+]
 "#;
     let picture = common::render(text, 8, 8);
-    assert!(
-        picture
-            .iter()
-            .any(|[r, g, b]| *r > 0.5 && *g > 0.5 && *b > 0.5)
-    );
+    assert!(picture.iter().any(|pixel| pixel.iter().all(|c| *c > 0.5)));
 }
 
-/// `2 n (n·V)` is then 2 long, which a direction cannot be.
+/// At normal incidence the term `2 n (n·V)` of the reflected direction has
+/// length 2, more than a direction can hold.
 #[test]
-fn a_mirror_that_is_met_head_on_shows_what_is_behind_the_eye() {
+fn reflection_at_normal_incidence() {
     for (eye, normal, up) in [
         ([0, 0, 5], [0, 0, 1], [0, 1, 0]),
         ([0, 0, -5], [0, 0, 1], [0, 1, 0]),
@@ -283,35 +236,22 @@ fn a_mirror_that_is_met_head_on_shows_what_is_behind_the_eye() {
         ([0, 5, 0], [0, 1, 0], [0, 0, 1]),
         ([0, -5, 0], [0, 1, 0], [0, 0, 1]),
     ] {
-        let picture = common::render(
-            &format!(
-                r#"
+        let behind_eye = eye.map(|c| 2 * c);
+        let text = format!(
+            r#"
 background = [0.2, 0.4, 0.6]
 camera = {{ eye = {eye:?}, look_at = [0, 0, 0], up = {up:?}, fovy_deg = 30 }}
 materials.mirror = {{ kr = [1, 1, 1] }}
-[[objects]]
-type = "plane"
-normal = {normal:?}
-point = [0, 0, 0]
-bounds = {{ x = [-1, 1], y = [-1, 1], z = [-1, 1] }}
-material = "mirror"
-[[objects]]
-type = "plane"
-normal = {normal:?}
-point = {far:?}
-material = "glow"
-[materials.glow]
-le = [0.9, 0.5, 0.1]
-"#,
-                far = eye.map(|c| 2 * c)
-            ),
-            1,
-            1,
+materials.glow = {{ le = [0.9, 0.5, 0.1] }}
+objects = [
+  {{ type = "plane", normal = {normal:?}, point = [0, 0, 0], bounds = {{ x = [-1, 1], y = [-1, 1], z = [-1, 1] }}, material = "mirror" }},
+  {{ type = "plane", normal = {normal:?}, point = {behind_eye:?}, material = "glow" }},
+]
+"#
         );
-        let close = picture[0]
-            .iter()
-            .zip([0.9, 0.5, 0.1])
-            .all(|(a, b)| (a - b).abs() < 0.0001);
-        assert!(close, "{eye:?}: {picture:?}");
+        let picture = common::render(&text, 1, 1);
+        let mut channels = picture[0].iter().zip([0.9, 0.5, 0.1]);
+        let is_glow = channels.all(|(a, b)| (a - b).abs() < 0.0001);
+        assert!(is_glow, "{eye:?}: {picture:?}");
     }
 }

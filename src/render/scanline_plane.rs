@@ -87,7 +87,7 @@ impl ScanlinePlane {
         let pixels = if pixels.exponent > -8 {
             1 << 24
         } else {
-            to_bits(pixels)
+            pixels.to_bits()
         };
         let column = (n.signum() * pixels + i64::from(self.width) - 1) >> 1;
         column.clamp(0, u16::MAX.into()) as u16

@@ -1,4 +1,4 @@
-//! A small scene that has something of everything: a mirror, a floor, a shadow.
+//! Small scene with a reflective sphere, a floor, a shadow and two bounces.
 
 use whitted::{Camera, Color, Light, Material, MaterialId, Object, Real, Scene, Texture, Vec3};
 

@@ -1,17 +1,18 @@
-//! Rendering a scene file by the library, as the tests compare it.
+//! Renders scene files with the library, for comparison with the oracle.
 
 use embedded_graphics::geometry::Size;
 use whitted::observer::Observer;
 use whitted::{Real, Renderer};
 use whitted_sim::{render, scene_file};
 
-/// Linear colors of 0 to 1, row by row, with no branch of the ray tree cut off.
-#[allow(dead_code, reason = "some observe all that they render")]
+/// Returns linear colors from 0 to 1, row by row. `min_weight` is set to 0, so
+/// that no ray is dropped for its small weight.
+#[allow(dead_code, reason = "some tests use `observe` only")]
 pub(crate) fn render(text: &str, width: u32, height: u32) -> Vec<[f64; 3]> {
     observe(text, [width, height], ()).0
 }
 
-/// The same, and what an observer has seen.
+/// Renders like [`render`] and also returns the observer.
 pub(crate) fn observe<O: Observer + Clone>(
     text: &str,
     [width, height]: [u32; 2],

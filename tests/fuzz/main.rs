@@ -1,10 +1,10 @@
-//! What is fuzzed (see `fuzz/`), on stable: every input of the corpus, and
-//! random ones.
+//! Runs the fuzz targets of `fuzz/` on stable Rust: with every input of the
+//! corpus, and with random inputs.
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
 #[path = "../../fuzz/src/lib.rs"]
-#[allow(unreachable_pub, reason = "public where it is fuzzed")]
+#[allow(unreachable_pub, reason = "the fuzz targets need it public")]
 mod fuzz;
 
 use std::fs;
@@ -12,16 +12,15 @@ use std::path::Path;
 
 use fastrand::Rng;
 
-/// Random inputs of each kind; `RUNS=1000000 cargo test --test fuzz` takes more.
-fn runs(usual: u64) -> u64 {
-    let told = std::env::var("RUNS")
-        .ok()
-        .and_then(|runs| runs.parse().ok());
-    told.unwrap_or(usual)
+/// Returns the number of random inputs: the environment variable `RUNS`, as in
+/// `RUNS=1000000 cargo test --test fuzz`, or `default`.
+fn runs(default: u64) -> u64 {
+    let runs = std::env::var("RUNS").ok();
+    runs.and_then(|runs| runs.parse().ok()).unwrap_or(default)
 }
 
-/// Runs each input of the corpus, of which some must be drawn: all are refused
-/// if they are in a form that has passed.
+/// Runs a fuzz target with each input of its corpus, and requires that it draws
+/// at least one. A corpus in an outdated format would be refused entirely.
 fn replay(name: &str, target: fn(&[u8]) -> bool) {
     let corpus = Path::new(env!("CARGO_MANIFEST_DIR")).join("fuzz/corpus");
     let inputs = fs::read_dir(corpus.join(name)).unwrap();
@@ -31,7 +30,7 @@ fn replay(name: &str, target: fn(&[u8]) -> bool) {
         println!("{}", path.display());
         drawn += u32::from(target(&fs::read(path).unwrap()));
     }
-    assert!(drawn > 0, "nothing in the corpus of {name} is drawn");
+    assert!(drawn > 0, "every input in the corpus of {name} is refused");
 }
 
 fn random_bytes(seed: u64) -> Vec<u8> {
@@ -40,53 +39,44 @@ fn random_bytes(seed: u64) -> Vec<u8> {
     (0..length).map(|_| rng.u8(..)).collect()
 }
 
-#[test]
-fn scene_texts_of_the_corpus() {
-    replay("scene_text", fuzz::scene_text);
+/// Runs the oracle target, which checks every input and refuses none.
+fn oracle(input: &[u8]) -> bool {
+    fuzz::oracle(input);
+    true
 }
 
-#[test]
-fn compiled_scenes_of_the_corpus() {
-    replay("compiled", fuzz::compiled);
+macro_rules! corpora {
+    ($($test:ident: $name:literal, $target:expr;)*) => {$(
+        #[test]
+        fn $test() {
+            replay($name, $target);
+        }
+    )*};
 }
 
-#[test]
-fn display_streams_of_the_corpus() {
-    replay("display_stream", fuzz::display_stream);
+corpora! {
+    corpus_scene_text: "scene_text", fuzz::scene_text;
+    corpus_compiled: "compiled", fuzz::compiled;
+    corpus_display_stream: "display_stream", fuzz::display_stream;
+    corpus_serial: "serial", fuzz::serial;
+    corpus_extremes: "extremes", fuzz::extremes;
+    corpus_oracle: "oracle", oracle;
 }
 
+/// Scenes with numbers at the ends of their ranges must be refused or drawn, but
+/// not panic. The test build checks for overflow.
 #[test]
-fn serial_lines_of_the_corpus() {
-    replay("serial", fuzz::serial);
-}
-
-#[test]
-fn extremes_of_the_corpus() {
-    replay("extremes", fuzz::extremes);
-}
-
-#[test]
-fn seeds_of_the_corpus() {
-    let oracle = |input: &[u8]| {
-        fuzz::oracle(input);
-        true
-    };
-    replay("oracle", oracle);
-}
-
-/// Debug assertions and checks of overflow are on in the test build.
-#[test]
-fn scenes_at_the_extremes_of_every_range_are_refused_or_drawn() {
+fn random_extreme_scenes_do_not_panic() {
     let runs = runs(1000);
-    let (mut drawn, mut failed) = (0, Vec::new());
+    let (mut drawn, mut panicked) = (0, Vec::new());
     for seed in 0..runs {
         let input = random_bytes(seed);
         match std::panic::catch_unwind(|| fuzz::extremes(&input)) {
             Ok(is_drawn) => drawn += u64::from(is_drawn),
-            Err(_) => failed.push(seed),
+            Err(_) => panicked.push(seed),
         }
     }
     println!("figure: {runs} scenes at the extremes, of which {drawn} are valid and drawn");
-    assert!(failed.is_empty(), "seeds {failed:?}");
+    assert!(panicked.is_empty(), "seeds {panicked:?}");
     assert!(4 * drawn > runs, "too few are valid: {drawn} of {runs}");
 }

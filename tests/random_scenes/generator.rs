@@ -1,7 +1,7 @@
-//! Random scene files, one for each seed.
+//! Generates random scene files, one per seed.
 //!
-//! Lengths are in units of a world of about ±1, which is then scaled and moved
-//! to anywhere.
+//! The generator works in a local space of about ±1. On output, a random scale
+//! and offset map lengths and points to world space.
 
 use fastrand::Rng;
 
@@ -10,11 +10,11 @@ type Triple = [f64; 3];
 
 pub(crate) struct RandomScene {
     pub(crate) toml: String,
-    /// Whether any material reflects or transmits.
+    /// True if a material reflects or transmits.
     pub(crate) bounces: bool,
 }
 
-/// Materials are `m0`, `m1` and so on.
+/// Number of materials, named `m0`, `m1` and so on.
 const MATERIALS: usize = 4;
 
 pub(crate) fn scene(seed: u64) -> RandomScene {
@@ -34,14 +34,15 @@ pub(crate) fn scene(seed: u64) -> RandomScene {
 
 struct Generator {
     rng: Rng,
-    /// Units of the scene file in one unit of the world: 0.1 to 10,000.
+    /// World units per local unit, 0.1 to 10,000.
     scale: f64,
-    /// Of the world's origin.
+    /// Position of the local origin, in world units.
     offset: Triple,
     out: String,
 }
 
-/// Something round that others may touch or be within.
+/// Sphere that an object occupies, for placing others inside or next to it. In
+/// local units.
 #[derive(Clone, Copy)]
 struct Place {
     center: Triple,
@@ -49,6 +50,7 @@ struct Place {
 }
 
 impl Generator {
+    /// Returns a random number in the range.
     fn number(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.rng.f64()
     }
@@ -57,19 +59,23 @@ impl Generator {
         [0; 3].map(|_| self.number(low, high))
     }
 
+    /// Returns true with this probability.
     fn chance(&mut self, share: f64) -> bool {
         self.rng.f64() < share
     }
 
+    /// Appends a line to the scene file.
     fn line(&mut self, text: &str) {
         self.out.push_str(text);
         self.out.push('\n');
     }
 
+    /// Formats a length in world units.
     fn length(&self, length: f64) -> String {
         format!("{:.8}", length * self.scale)
     }
 
+    /// Formats a point in world units.
     fn point(&self, p: Triple) -> String {
         let [x, y, z] = [0, 1, 2].map(|i| p[i] * self.scale + self.offset[i]);
         format!("[{x:.8}, {y:.8}, {z:.8}]")
@@ -96,7 +102,8 @@ impl Generator {
             self.material(index, bounces);
         }
         for (index, place) in places.into_iter().enumerate() {
-            // The first is large and round, so that there is much to be seen.
+            // The first object is a large sphere or ellipsoid, so that it covers
+            // much of the picture.
             let kind = if index == 0 {
                 self.rng.u8(0..2)
             } else {
@@ -108,11 +115,11 @@ impl Generator {
             self.floor();
         }
         if self.chance(0.1) {
-            self.endless();
+            self.unbounded();
         }
     }
 
-    /// Where the objects are: anywhere, in the one before, or touching it.
+    /// Places objects at random, inside the previous one, or touching it.
     fn places(&mut self) -> Vec<Place> {
         let mut places = vec![Place {
             center: self.triple(-0.1, 0.1),
@@ -123,7 +130,7 @@ impl Generator {
             let size = self.number(0.08, 0.6);
             let place = match self.rng.u8(0..6) {
                 0 => {
-                    // Not quite in the middle, lest surfaces coincide.
+                    // Off center, so that surfaces do not coincide.
                     let size = before.size * self.number(0.5, 0.9);
                     let off = self.unit().map(|c| 0.05 * before.size * c);
                     Place {
@@ -148,6 +155,7 @@ impl Generator {
         places
     }
 
+    /// Returns a random direction, of length 1 or less.
     fn unit(&mut self) -> Triple {
         let [x, y, z] = self.triple(-1.0, 1.0);
         let length = (x * x + y * y + z * z).sqrt().max(0.1);
@@ -212,7 +220,7 @@ impl Generator {
         if !bounces {
             return;
         }
-        // The first always does, and is on the first object.
+        // Material 0 always reflects; the first object has it.
         if index == 0 || self.chance(0.5) {
             let kr = self.triple(0.05, 0.7);
             self.line(&format!("kr = {kr:.4?}"));
@@ -223,7 +231,8 @@ impl Generator {
         }
     }
 
-    fn cover(&mut self, first: bool) {
+    /// Writes the material or the checkerboard of an object.
+    fn texture(&mut self, first: bool) {
         if self.chance(0.15) {
             let number = self.number(0.1, 0.8);
             let size = self.length(number);
@@ -241,7 +250,9 @@ impl Generator {
         }
     }
 
-    fn object(&mut self, kind: u8, Place { center, size }: Place) {
+    /// Writes an object of the kind 0 to 9.
+    fn object(&mut self, kind: u8, place: Place) {
+        let Place { center, size } = place;
         let at = self.point(center);
         let radius = self.length(size);
         self.line("[[objects]]");
@@ -249,71 +260,81 @@ impl Generator {
             0 => self.line(&format!(
                 "type = \"sphere\"\ncenter = {at}\nradius = {radius}"
             )),
-            1 => {
-                // Mostly round enough, at times flat or thin.
-                let flat = match size {
-                    0.75.. => 0.85,
-                    _ if self.chance(0.3) => 0.04,
-                    _ => 0.5,
-                };
-                let radii = [0; 3].map(|_| self.number(flat, 1.0) * size);
-                let [a, b, c] = radii.map(|radius| self.length(radius));
-                self.line(&format!(
-                    "type = \"ellipsoid\"\ncenter = {at}\nradii = [{a}, {b}, {c}]"
-                ));
-            }
-            2 | 3 => self.flake(&at, size),
+            1 => self.ellipsoid(&at, size),
+            2 | 3 => self.sphereflake(&at, size),
             4 | 5 => {
                 self.line(&format!(
                     "type = \"cylinder\"\norigin = {at}\nradius = {radius}"
                 ));
-                self.clamp(size);
+                self.clip(size);
             }
-            6 | 7 => {
-                let height = size * 2_f64.powf(self.number(-2.0, 3.0));
-                let height = if self.chance(0.2) { -height } else { height };
-                let height = self.length(height);
-                self.line(&format!(
-                    "type = \"cone\"\norigin = {at}\nradius = {radius}"
-                ));
-                self.line(&format!("height = {height}"));
-                self.clamp(size);
-            }
-            8 => {
-                // As high as the place, but no wider.
-                let rise = (size * self.scale).min((size * self.scale).powi(2));
-                let from = if self.chance(0.3) { 0.3 * rise } else { 0.0 };
-                self.line(&format!(
-                    "type = \"paraboloid\"\norigin = {at}\ny = [{from:.8}, {rise:.8}]"
-                ));
-            }
-            _ => {
-                let normal = self.unit();
-                let bound = |i: usize| {
-                    let (low, high) = (center[i] - size, center[i] + size);
-                    let [low, high] = [low, high].map(|c| c * self.scale + self.offset[i]);
-                    format!("[{low:.8}, {high:.8}]")
-                };
-                let bounds = format!("{{ x = {}, y = {}, z = {} }}", bound(0), bound(1), bound(2));
-                self.line(&format!(
-                    "type = \"plane\"\nnormal = {normal:.6?}\npoint = {at}"
-                ));
-                self.line(&format!("bounds = {bounds}"));
-            }
+            6 | 7 => self.cone(&at, size),
+            8 => self.paraboloid(&at, size),
+            _ => self.plane(&at, place),
         }
-        self.cover(size >= 0.75);
+        self.texture(size >= 0.75);
     }
 
-    fn flake(&mut self, at: &str, size: f64) {
+    fn ellipsoid(&mut self, at: &str, size: f64) {
+        // Most ellipsoids are nearly round, some flat or thin.
+        let flat = match size {
+            0.75.. => 0.85,
+            _ if self.chance(0.3) => 0.04,
+            _ => 0.5,
+        };
+        let radii = [0; 3].map(|_| self.number(flat, 1.0) * size);
+        let [a, b, c] = radii.map(|radius| self.length(radius));
+        self.line(&format!(
+            "type = \"ellipsoid\"\ncenter = {at}\nradii = [{a}, {b}, {c}]"
+        ));
+    }
+
+    fn cone(&mut self, at: &str, size: f64) {
+        let height = size * 2_f64.powf(self.number(-2.0, 3.0));
+        let height = if self.chance(0.2) { -height } else { height };
+        let [radius, height] = [size, height].map(|length| self.length(length));
+        self.line(&format!(
+            "type = \"cone\"\norigin = {at}\nradius = {radius}\nheight = {height}"
+        ));
+        self.clip(size);
+    }
+
+    fn paraboloid(&mut self, at: &str, size: f64) {
+        // As high as its place, unless that makes the paraboloid wider.
+        let rise = (size * self.scale).min((size * self.scale).powi(2));
+        let from = if self.chance(0.3) { 0.3 * rise } else { 0.0 };
+        self.line(&format!(
+            "type = \"paraboloid\"\norigin = {at}\ny = [{from:.8}, {rise:.8}]"
+        ));
+    }
+
+    /// Writes a plane that is clipped to its place.
+    fn plane(&mut self, at: &str, Place { center, size }: Place) {
+        let normal = self.unit();
+        let [x, y, z] = [0, 1, 2].map(|i| self.range(i, center[i] - size, center[i] + size));
+        self.line(&format!(
+            "type = \"plane\"\nnormal = {normal:.6?}\npoint = {at}"
+        ));
+        self.line(&format!("bounds = {{ x = {x}, y = {y}, z = {z} }}"));
+    }
+
+    /// Formats a range of positions on an axis, in world units.
+    fn range(&self, axis: usize, low: f64, high: f64) -> String {
+        let [low, high] = [low, high].map(|c| c * self.scale + self.offset[axis]);
+        format!("[{low:.8}, {high:.8}]")
+    }
+
+    fn sphereflake(&mut self, at: &str, size: f64) {
         let depth = self.rng.u8(0..=3);
         let ratio = if self.chance(0.5) {
             1.0 / 3.0
         } else {
             self.number(0.1, 0.5)
         };
-        // All of it fits the place.
-        let reach = (1.0 + ratio) / (1.0 - ratio);
-        let radius = self.length(size / reach.min(1.9));
+        // Bounding radius relative to the root sphere. Flakes with a ratio above 0.31
+        // would shrink too much, so the factor is at most 1.9.
+        let extent = (1.0 + ratio) / (1.0 - ratio);
+        let radius = self.length(size / extent.min(1.9));
         self.line(&format!(
             "type = \"sphereflake\"\ncenter = {at}\nradius = {radius}"
         ));
@@ -324,7 +345,7 @@ impl Generator {
         }
     }
 
-    /// Orthonormal and right-handed.
+    /// Returns a random right-handed orthonormal basis.
     fn frame(&mut self) -> [Triple; 3] {
         let unit = |v: Triple| {
             let length = v.iter().map(|c| c * c).sum::<f64>().sqrt();
@@ -343,7 +364,8 @@ impl Generator {
         [u, cross(w, u), w]
     }
 
-    fn clamp(&mut self, size: f64) {
+    /// Writes the `y` limits of a cylinder or cone.
+    fn clip(&mut self, size: f64) {
         let (low, high) = (self.number(-1.0, 0.4) * size, self.number(0.5, 1.5) * size);
         let (low, high) = (self.length(low), self.length(high));
         self.line(&format!("y = [{low}, {high}]"));
@@ -357,12 +379,8 @@ impl Generator {
             "[[objects]]\ntype = \"plane\"\nnormal = [{x:.4}, 1, {z:.4}]\npoint = {at}"
         ));
         if self.chance(0.4) {
-            let bound = |i: usize| {
-                let [low, high] = [-2.5, 3.0].map(|c| c * self.scale + self.offset[i]);
-                format!("[{low:.8}, {high:.8}]")
-            };
-            let bounds = format!("bounds = {{ x = {}, z = {} }}", bound(0), bound(2));
-            self.line(&bounds);
+            let [x, z] = [0, 2].map(|axis| self.range(axis, -2.5, 3.0));
+            self.line(&format!("bounds = {{ x = {x}, z = {z} }}"));
         }
         if self.chance(0.6) {
             let number = self.number(0.2, 1.5);
@@ -375,7 +393,7 @@ impl Generator {
         }
     }
 
-    fn endless(&mut self) {
+    fn unbounded(&mut self) {
         let center = [
             self.number(-2.0, 2.0),
             self.number(-1.0, 1.0),
@@ -396,6 +414,6 @@ impl Generator {
                 "type = \"cone\"\norigin = {at}\nradius = {radius}\nheight = {height}"
             ));
         }
-        self.cover(false);
+        self.texture(false);
     }
 }

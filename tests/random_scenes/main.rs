@@ -1,13 +1,13 @@
-//! A thousand random scenes against the double-precision oracle, which reads
-//! the same scene files by itself.
+//! Compares a thousand random scenes with the double-precision oracle, which has
+//! its own scene file parser.
 //!
-//! The low tail are scenes with a checkered floor up to the horizon, which is
-//! aliased: a direction is known to 2^-30, and where a pixel's row of cells is
-//! narrower than that leaves them, single pixels fall to the other cell.
+//! The scenes with the lowest PSNR have a checkered floor up to the horizon, which
+//! is aliased. Directions are rounded to 2^-30; near the horizon, that is enough
+//! to move single pixels into the neighboring square.
 //!
-//! `SCENES=100` takes fewer of them, of which the same must hold.
-//! `SEED=17 cargo test --test random_scenes -- --nocapture` prints a scene file
-//! and how like the two pictures of it are, and writes them as seed-17.png and
+//! The environment variable `SCENES=100` reduces the number of scenes; the limits
+//! stay. `SEED=17 cargo test --test random_scenes -- --nocapture` prints one scene
+//! file and its comparison, and writes both pictures as seed-17.png and
 //! seed-17-oracle.png.
 
 #![allow(clippy::unwrap_used)]
@@ -25,15 +25,15 @@ use whitted_sim::compare::{Comparison, compare};
 use whitted_sim::picture::Picture;
 use whitted_sim::{png16, render, scene_file};
 
-/// Unless told otherwise.
+/// Default number of scenes.
 const SCENES: u64 = 1000;
 const SIZE: Size = Size::new(320, 240);
 
-/// Pixels that show an object.
+/// Counts the camera rays that hit an object.
 #[derive(Default)]
-struct Covered(u32);
+struct Coverage(u32);
 
-impl Observer for Covered {
+impl Observer for Coverage {
     fn node(&mut self, node: &RayNode) {
         self.0 += u32::from(node.kind == RayKind::Camera && node.object.is_some());
     }
@@ -42,8 +42,9 @@ impl Observer for Covered {
 struct Outcome {
     seed: u64,
     comparison: Comparison,
+    /// True if a material reflects or transmits.
     bounces: bool,
-    /// The share of pixels that show an object.
+    /// Fraction of pixels that show an object.
     covered: f64,
 }
 
@@ -60,7 +61,8 @@ impl Outcome {
     }
 }
 
-/// The library's picture, and the share of pixels that show an object.
+/// Renders with the library. Returns the picture and the fraction of pixels that
+/// show an object.
 fn rendered(seed: u64, toml: &str) -> (Picture, f64) {
     let file = scene_file::parse("scene.toml", toml)
         .unwrap_or_else(|error| panic!("seed {seed}: {error}\n{toml}"));
@@ -68,13 +70,13 @@ fn rendered(seed: u64, toml: &str) -> (Picture, f64) {
     let scene = file
         .prepare(&mut buffer)
         .unwrap_or_else(|error| panic!("seed {seed}: {error}\n{toml}"));
-    let mut renderer = Renderer::with_observer(&scene, SIZE, Covered::default());
+    let mut renderer = Renderer::with_observer(&scene, SIZE, Coverage::default());
     let picture = render::trace(&mut renderer, |_| {});
     let covered = f64::from(renderer.observer().0) / f64::from(SIZE.width * SIZE.height);
     (picture, covered)
 }
 
-/// The oracle's picture.
+/// Renders with the oracle.
 fn expected(toml: &str) -> Picture {
     let pixels = whitted_oracle::parse::<f64>(toml).render(SIZE.width, SIZE.height);
     let sample = |channel: f64| (65535.0 * channel.clamp(0.0, 1.0)).round() as u16;
@@ -89,15 +91,15 @@ fn expected(toml: &str) -> Picture {
     }
 }
 
-/// A number of whoever runs the test.
-fn told(variable: &str) -> Option<u64> {
+/// Reads a number from an environment variable.
+fn number_from_env(variable: &str) -> Option<u64> {
     std::env::var(variable).ok()?.parse().ok()
 }
 
-/// All seeds, by as many threads as there are cores.
+/// Compares all scenes, with one thread per core.
 fn outcomes() -> Vec<Outcome> {
     let next = AtomicU64::new(0);
-    let scenes = told("SCENES").unwrap_or(SCENES);
+    let scenes = number_from_env("SCENES").unwrap_or(SCENES);
     let work = || {
         let seeds = std::iter::repeat_with(|| next.fetch_add(1, Ordering::Relaxed));
         seeds
@@ -115,8 +117,8 @@ fn outcomes() -> Vec<Outcome> {
     })
 }
 
-/// How many are in each ten decibels, and which are the worst.
-fn print(sorted: &[Outcome]) {
+/// Prints a histogram in steps of 10 dB and the 20 worst scenes.
+fn print_outcomes(sorted: &[Outcome]) {
     for low in (30..110).step_by(10) {
         let count = sorted
             .iter()
@@ -133,18 +135,18 @@ fn print(sorted: &[Outcome]) {
 }
 
 #[test]
-fn random_scenes_agree_with_the_oracle() {
-    if let Some(seed) = told("SEED") {
+fn random_scenes_match_oracle() {
+    if let Some(seed) = number_from_env("SEED") {
         let toml = generator::scene(seed).toml;
         println!("{toml}");
         png16::write(format!("seed-{seed}.png"), &rendered(seed, &toml).0).unwrap();
         png16::write(format!("seed-{seed}-oracle.png"), &expected(&toml)).unwrap();
-        print(&[Outcome::of(seed)]);
+        print_outcomes(&[Outcome::of(seed)]);
         return;
     }
     let mut outcomes = outcomes();
     outcomes.sort_by(|a, b| a.comparison.psnr.total_cmp(&b.comparison.psnr));
-    print(&outcomes);
+    print_outcomes(&outcomes);
     let median = outcomes[outcomes.len() / 2].comparison.psnr;
     let worst = outcomes[0].comparison.psnr;
     let bouncing = outcomes.iter().filter(|outcome| outcome.bounces).count();
@@ -153,7 +155,7 @@ fn random_scenes_agree_with_the_oracle() {
         .map(|outcome| outcome.covered)
         .fold(1.0, f64::min);
     println!(
-        "figure: {} scenes, median {median:.1} dB, worst {worst:.1} dB; {bouncing} reflect or refract; objects on {:.0} % of the pixels at least",
+        "figure: {} scenes, median {median:.1} dB, worst {worst:.1} dB; {bouncing} with reflection or refraction; objects on at least {:.0} % of the pixels",
         outcomes.len(),
         100.0 * covered
     );
@@ -163,7 +165,10 @@ fn random_scenes_agree_with_the_oracle() {
     );
     assert!(
         2 * bouncing >= outcomes.len(),
-        "{bouncing} scenes reflect or refract"
+        "only {bouncing} scenes reflect or refract"
     );
-    assert!(3.0 * covered >= 1.0, "objects on {covered} of the pixels");
+    assert!(
+        3.0 * covered >= 1.0,
+        "objects on only {covered} of the pixels"
+    );
 }

@@ -1,12 +1,15 @@
-//! Each surface on its own, where it is hard: against the double-precision
-//! oracle, as matte, as mirror and as glass.
+//! Compares each surface with the double-precision oracle in difficult views:
+//! as matte, mirror and glass.
 //!
-//! `cargo test --test surfaces -- --nocapture` prints what is measured.
+//! `cargo test --test surfaces -- --nocapture` prints the PSNR and the outliers
+//! of each picture.
 
 #![allow(clippy::unwrap_used)]
 
 #[path = "../common/mod.rs"]
 mod common;
+
+mod case;
 
 mod cone;
 mod cylinder;
@@ -16,6 +19,7 @@ mod plane;
 mod sphere;
 mod sphereflake;
 
+use case::Case;
 use whitted::observer::{Observer, RayKind, RayNode};
 use whitted_oracle::compare;
 
@@ -33,101 +37,52 @@ const MATERIALS: [(&str, &str); 3] = [
     ),
 ];
 
-/// How like the oracle's picture the library's must be.
-struct Least {
-    /// dB.
-    psnr: f64,
-    /// Pixels that may be off by more than 1/255.
-    off: usize,
+macro_rules! surfaces {
+    ($($test:ident: $surface:ident;)*) => {$(
+        #[test]
+        fn $test() {
+            check($surface::CASES);
+        }
+    )*};
 }
 
-/// An object, from where it is seen, and what else there is.
-struct Case {
-    name: &'static str,
-    camera: &'static str,
-    /// Mostly one outside of the object, and one inside.
-    lights: [[f64; 3]; 2],
-    /// Of the material `it`, unless it names another.
-    object: &'static str,
-    others: &'static str,
-    /// Generations of rays after the eye's.
-    bounces: u8,
-    /// Of each of [`MATERIALS`].
-    least: [Least; 3],
+surfaces! {
+    cones_match_oracle: cone;
+    cylinders_match_oracle: cylinder;
+    ellipsoids_match_oracle: ellipsoid;
+    paraboloids_match_oracle: paraboloid;
+    planes_match_oracle: plane;
+    spheres_match_oracle: sphere;
+    sphereflakes_match_oracle: sphereflake;
 }
 
-/// dB of each of [`MATERIALS`], all pixels within 1/255.
-const fn all_within(psnr: [f64; 3]) -> [Least; 3] {
-    let [matte, mirror, glass] = psnr;
-    off(matte, 0, mirror, 0, glass, 0)
-}
-
-const fn off(m: f64, n: usize, r: f64, o: usize, g: f64, p: usize) -> [Least; 3] {
-    [
-        Least { psnr: m, off: n },
-        Least { psnr: r, off: o },
-        Least { psnr: g, off: p },
-    ]
-}
-
-impl Case {
-    fn toml(&self, material: &str) -> String {
-        let &Self {
-            camera,
-            lights: [first, second],
-            object,
-            others,
-            bounces,
-            ..
-        } = self;
-        let cover = match object.contains("checker") {
-            true => "",
-            false => ", material = \"it\"",
-        };
-        format!(
-            r#"
-max_depth = {bounces}
-min_weight = 0
-background = {{ horizon = [0.5, 0.6, 0.7], zenith = [0.1, 0.2, 0.6] }}
-camera = {{ {camera} }}
-lights = [
-  {{ position = {first:?}, color = [0.7, 0.7, 0.7] }},
-  {{ position = {second:?}, color = [0.2, 0.1, 0.1] }},
-]
-materials.it = {{ {material} }}
-materials.other = {{ kd = [0.2, 0.5, 0.3], ka = [0.1, 0.1, 0.1], kr = [0.3, 0.3, 0.3] }}
-objects = [{{ {object}{cover} }}{others}]
-"#
-        )
-    }
-}
-
-/// Eye rays that meet the object.
+/// Counts the camera rays that hit the tested object.
 #[derive(Clone, Default)]
-struct Seen(usize);
+struct Coverage(usize);
 
-impl Observer for Seen {
+impl Observer for Coverage {
     fn node(&mut self, node: &RayNode) {
         self.0 += usize::from(node.kind == RayKind::Camera && node.object == Some(0));
     }
 }
 
-/// Renders all cases, prints what is measured, and tells of all that fail.
+/// Renders every case in every material, prints the measurements, and fails
+/// with a list of the pictures that miss their limits or do not show the object.
 fn check(cases: &[Case]) {
     let mut failed = Vec::new();
     for case in cases {
-        for ((name, material), least) in MATERIALS.iter().zip(&case.least) {
+        for ((name, material), limit) in MATERIALS.iter().zip(&case.limits) {
             let toml = case.toml(material);
-            let (picture, Seen(seen)) = common::observe(&toml, SIZE, Seen::default());
+            let (picture, Coverage(covered)) = common::observe(&toml, SIZE, Coverage::default());
             let expected = whitted_oracle::parse::<f64>(&toml).render(SIZE[0], SIZE[1]);
             let result = compare(&picture, &expected);
-            let off = ((1.0 - result.within_one) * picture.len() as f64).round() as usize;
+            let outliers = ((1.0 - result.within_one) * picture.len() as f64).round() as usize;
             let title = format!("{}, {name}", case.name);
             println!(
-                "{title:40} {:6.1} dB, {off:3} pixels off, seen by {seen:4}",
+                "{title:56} {:6.1} dB, {outliers:3} outliers, object on {covered:4} pixels",
                 result.psnr
             );
-            if result.psnr < least.psnr || off > least.off || seen == 0 {
+            if result.psnr < limit.psnr || outliers > limit.outliers || covered == 0 {
                 failed.push(title);
             }
         }

@@ -1,9 +1,9 @@
-//! The number the tracer computes with: f32 or f64.
+//! Number type of the tracer: f32 or f64.
 
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// What the tracer asks of its numbers; implemented for f32 and f64.
+/// Operations that the tracer needs of its numbers; implemented for f32 and f64.
 pub trait Float:
     Copy
     + Debug
@@ -19,19 +19,19 @@ pub trait Float:
 {
     const ZERO: Self;
     const ONE: Self;
-    /// The distance from one to the next greater number.
+    /// Distance from 1 to the next greater number.
     const ULP: Self;
     const INFINITY: Self;
 
-    /// The nearest number to a literal; costs nothing once inlined.
+    /// Returns the number nearest to a literal. Inlined, the conversion is free.
     fn lit(x: f64) -> Self;
     fn from_u32(x: u32) -> Self;
     fn to_f64(self) -> f64;
-    /// The greatest integer that is not above `self`, saturating.
+    /// Returns the greatest integer not above `self`, saturated to 32 bits.
     fn floor(self) -> i32;
     fn sqrt(self) -> Self;
     fn tan(self) -> Self;
-    /// `self` to any power, for a non-negative base.
+    /// Returns `self` to any power, for a non-negative `self`.
     fn powf(self, exponent: Self) -> Self;
 
     fn abs(self) -> Self {
@@ -42,9 +42,9 @@ pub trait Float:
         if other > self { other } else { self }
     }
 
-    /// `self` to a power from 1 to 4096, a shininess, for a non-negative base.
-    /// Whole exponents, the usual ones, go by repeated squaring, which is many
-    /// times cheaper than the general power without hardware floating point.
+    /// Returns `self` to the power of a shininess, 1 to 4096, for a non-negative
+    /// `self`. Integer exponents use repeated squaring, which without an FPU is many
+    /// times cheaper than the general power.
     #[inline(never)]
     fn pow(self, exponent: Self) -> Self {
         let mut whole = exponent.floor().unsigned_abs();
@@ -65,12 +65,12 @@ pub trait Float:
     }
 }
 
-/// The root by the one instruction that it is where floats are in hardware;
-/// `f32::sqrt` is not in `core` yet, and libm computes it with integers. Inline
-/// assembly has no registers of the FPU yet, so it takes a call.
+/// Computes a square root by the FPU's instruction. `f32::sqrt` is not in `core` yet,
+/// and libm computes it in integers. Inline assembly does not support FPU registers
+/// yet, so the instruction needs a function.
 #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
 #[allow(unsafe_code)]
-// SAFETY: this ABI passes both argument and result in s0.
+// SAFETY: the eabihf ABI passes both the argument and the result in s0.
 #[unsafe(naked)]
 extern "C" fn sqrtf(x: f32) -> f32 {
     core::arch::naked_asm!(".fpu fpv4-sp-d16", "vsqrt.f32 s0, s0", "bx lr")

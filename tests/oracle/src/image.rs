@@ -1,10 +1,10 @@
-//! Reference images, and how like them a picture is.
+//! Reads reference images and compares pictures with them.
 
 use std::fs::File;
 use std::io::BufReader;
 use std::path::Path;
 
-/// Linear colors from 0 to 1, row by row from the top.
+/// Picture of linear colors from 0 to 1, row by row from the top.
 #[derive(Clone, Debug)]
 pub struct Image {
     pub width: u32,
@@ -12,19 +12,18 @@ pub struct Image {
     pub pixels: Vec<[f64; 3]>,
 }
 
-/// How like two pictures are.
+/// Result of comparing two pictures.
 #[derive(Clone, Copy, Debug)]
 pub struct Comparison {
-    /// In decibels, over all pixels and channels; infinite for equal pictures.
+    /// PSNR in dB over all pixels and channels; infinite for equal pictures.
     pub psnr: f64,
-    /// The share, 0 to 1, of pixels in which no channel differs by more than
-    /// 1/255.
+    /// Fraction of pixels, 0 to 1, in which no channel differs by more than 1/255.
     pub within_one: f64,
-    /// Where the greatest difference is, as an index of the pixels.
+    /// Index of the pixel with the greatest difference.
     pub worst: usize,
 }
 
-/// Reads a 16-bit RGB PNG that holds linear colors. Panics on any other.
+/// Reads a 16-bit RGB PNG of linear colors. Panics if the file has another format.
 pub fn read_png(path: impl AsRef<Path>) -> Image {
     let path = path.as_ref();
     let name = path.display();
@@ -32,7 +31,7 @@ pub fn read_png(path: impl AsRef<Path>) -> Image {
     let mut reader = png::Decoder::new(BufReader::new(file))
         .read_info()
         .unwrap_or_else(|error| panic!("{name}: {error}"));
-    let size = reader.output_buffer_size().expect("an image fits memory");
+    let size = reader.output_buffer_size().expect("image size overflows");
     let mut bytes = vec![0; size];
     let info = reader
         .next_frame(&mut bytes)
@@ -55,9 +54,9 @@ pub fn read_png(path: impl AsRef<Path>) -> Image {
     }
 }
 
-/// Compares two pictures of one size, clipped to [0, 1], in linear light.
+/// Compares two pictures of equal size in linear light, clipped to [0, 1].
 pub fn compare(picture: &[[f64; 3]], reference: &[[f64; 3]]) -> Comparison {
-    assert_eq!(picture.len(), reference.len(), "pictures of one size");
+    assert_eq!(picture.len(), reference.len(), "pictures differ in size");
     let (mut squares, mut within, mut worst) = (0.0, 0, (0.0, 0));
     for (index, (a, b)) in picture.iter().zip(reference).enumerate() {
         let mut greatest = 0.0_f64;

@@ -1,14 +1,14 @@
-//! A Whitted tracer in floating point, as plain as can be: the oracle that the
-//! fixed-point renderer's pictures are measured by.
+//! Plain Whitted ray tracer in floating point: the oracle with which tests compare
+//! the pictures of the fixed-point renderer.
 //!
-//! It shares no code with the renderer and takes none of its shortcuts, so an
-//! error in one does not repeat itself in the other. Both are held to the same
-//! reference images. This one, in f64, agrees with them nearly to the last of
-//! their 16 bits, and so stands in for them at any size and for any scene.
+//! The oracle shares no code with the renderer and has none of its optimizations,
+//! so a bug in one is not repeated in the other. Tests compare both with the same
+//! reference images. In f64, the oracle matches these images almost to the last of
+//! their 16 bits, so it can replace them at any size and for any scene.
 //!
-//! The core, generic over [`Float`], is `no_std` and allocates nothing. In f32
-//! on a microcontroller it shows what plain floating point costs there. The
-//! feature `std` adds scene files, rendering to memory and image comparison:
+//! The core is generic over [`Float`], `no_std` and free of allocation. In f32 on a
+//! microcontroller it measures the cost of plain floating point. The feature `std`
+//! adds scene files, rendering to memory and image comparison:
 //!
 //! ```no_run
 //! let mut scene = whitted_oracle::load::<f64>("scenes/01_whitted.toml");
@@ -18,9 +18,9 @@
 //! println!("{:.1} dB", whitted_oracle::compare(&pixels, &reference.pixels).psnr);
 //! ```
 //!
-//! A picture's way: `scene` is the data; `view` makes eye rays; `shape` and
-//! `sphereflake` find t, then the normal; `tracer` shades a hit and follows its
-//! bounces.
+//! Modules in the order of the pipeline: `scene` holds the data, `view` generates
+//! camera rays, `shape` and `sphereflake` intersect and compute normals, `tracer`
+//! shades hits and traces secondary rays.
 
 #![cfg_attr(not(feature = "std"), no_std)]
 #![deny(unsafe_code)]

@@ -1,4 +1,4 @@
-//! Scene files. Panics, with a message, on anything that is not one.
+//! Reads scene files. Panics with a message on invalid files.
 
 use std::fmt::Display;
 use std::path::Path;
@@ -12,7 +12,7 @@ use crate::{
     Sphereflake, upright_frame,
 };
 
-/// A scene with lists of its own, to be changed at will before it is rendered.
+/// Scene that owns its lists, so that tests can modify it before rendering.
 #[derive(Clone, Debug)]
 pub struct OwnedScene<F> {
     pub camera: Camera<F>,
@@ -23,6 +23,7 @@ pub struct OwnedScene<F> {
 }
 
 impl<F: Float> OwnedScene<F> {
+    /// Returns the scene with borrowed lists.
     pub fn scene(&self) -> Scene<'_, F> {
         Scene {
             camera: self.camera,
@@ -42,7 +43,7 @@ pub fn load<F: Float>(path: impl AsRef<Path>) -> OwnedScene<F> {
     read(&text, &name)
 }
 
-/// Reads a scene from a scene file's text.
+/// Parses the text of a scene file.
 pub fn parse<F: Float>(text: &str) -> OwnedScene<F> {
     read(text, &"scene")
 }
@@ -78,11 +79,11 @@ fn read<F: Float>(text: &str, name: &dyn Display) -> OwnedScene<F> {
         .tables("objects")
         .map(|keys| object(keys, &names))
         .collect();
-    file.done();
+    file.finish();
     let scale = objects
         .iter()
         .map(|object| extent(&object.shape))
-        .fold(farthest(camera.eye), F::max);
+        .fold(max_abs(camera.eye), F::max);
     settings.epsilon = scale * F::lit(16.0) * F::ULP;
     OwnedScene {
         camera,
@@ -95,14 +96,14 @@ fn read<F: Float>(text: &str, name: &dyn Display) -> OwnedScene<F> {
 
 fn camera<F: Float>(mut keys: Keys) -> Camera<F> {
     let camera = Camera {
-        eye: vector(keys.need("eye")),
-        look_at: vector(keys.need("look_at")),
+        eye: vector(keys.require("eye")),
+        look_at: vector(keys.require("look_at")),
         up: keys
             .take("up")
             .map_or(vec3(F::ZERO, F::ONE, F::ZERO), vector),
-        fovy_deg: number(keys.need("fovy_deg")),
+        fovy_deg: number(keys.require("fovy_deg")),
     };
-    keys.done();
+    keys.finish();
     camera
 }
 
@@ -112,20 +113,20 @@ fn background<F: Float>(value: Value) -> Background<F> {
     }
     let mut keys = Keys::new(table_of(value), "background".to_owned());
     let gradient = Background::Gradient {
-        horizon: vector(keys.need("horizon")),
-        zenith: vector(keys.need("zenith")),
+        horizon: vector(keys.require("horizon")),
+        zenith: vector(keys.require("zenith")),
     };
-    keys.done();
+    keys.finish();
     gradient
 }
 
 fn light<F: Float>(mut keys: Keys) -> Light<F> {
-    let position = vector(keys.need("position"));
+    let position = vector(keys.require("position"));
     let (diffuse, specular) = match keys.take("color") {
         Some(color) => (color.clone(), color),
-        None => (keys.need("diffuse"), keys.need("specular")),
+        None => (keys.require("diffuse"), keys.require("specular")),
     };
-    keys.done();
+    keys.finish();
     Light {
         position,
         diffuse: vector(diffuse),
@@ -138,10 +139,13 @@ fn material<F: Float>(mut keys: Keys, default_model: Model) -> Material<F> {
     let [ka, kd, ks, kr, kt, le] = ["ka", "kd", "ks", "kr", "kt", "le"].map(&mut color);
     let (shininess, ior) = (keys.take("shininess"), keys.take("ior"));
     let name = &keys.name;
-    assert!(ks.is_zero() || shininess.is_some(), "{name}: no shininess");
-    assert!(kt.is_zero() || ior.is_some(), "{name}: no ior");
+    assert!(
+        ks.is_zero() || shininess.is_some(),
+        "{name}: `ks` needs a `shininess`"
+    );
+    assert!(kt.is_zero() || ior.is_some(), "{name}: `kt` needs an `ior`");
     let model = keys.take("model").map_or(default_model, model);
-    keys.done();
+    keys.finish();
     Material {
         ka,
         kd,
@@ -167,7 +171,7 @@ fn index_of_refraction<F: Float>(value: Value) -> F {
         "water" => 1.33,
         "alcohol" => 1.362,
         "diamond" => 2.417,
-        _ => panic!("no medium is called `{name}`"),
+        _ => panic!("unknown medium `{name}`"),
     })
 }
 
@@ -175,79 +179,79 @@ fn model(value: Value) -> Model {
     match value.as_str() {
         Some("phong") => Model::Phong,
         Some("blinn-phong") => Model::BlinnPhong,
-        _ => panic!("{value:?} is no shading model"),
+        _ => panic!("unknown shading model {value:?}"),
     }
 }
 
 fn object<F: Float>(mut keys: Keys, names: &[String]) -> Object<F> {
-    let shape = match keys.need("type").as_str() {
+    let shape = match keys.require("type").as_str() {
         Some("sphere") => Shape::Sphere {
-            center: vector(keys.need("center")),
-            radius: number(keys.need("radius")),
+            center: vector(keys.require("center")),
+            radius: number(keys.require("radius")),
         },
         Some("ellipsoid") => Shape::Ellipsoid {
-            center: vector(keys.need("center")),
-            radii: vector(keys.need("radii")),
+            center: vector(keys.require("center")),
+            radii: vector(keys.require("radii")),
         },
         Some("cylinder") => Shape::Cylinder {
-            origin: vector(keys.need("origin")),
-            radius: number(keys.need("radius")),
+            origin: vector(keys.require("origin")),
+            radius: number(keys.require("radius")),
             y: keys.take("y").map(numbers),
         },
         Some("cone") => Shape::Cone {
-            origin: vector(keys.need("origin")),
-            radius: number(keys.need("radius")),
-            height: number(keys.need("height")),
+            origin: vector(keys.require("origin")),
+            radius: number(keys.require("radius")),
+            height: number(keys.require("height")),
             y: keys.take("y").map(numbers),
         },
         Some("paraboloid") => Shape::Paraboloid {
-            origin: vector(keys.need("origin")),
+            origin: vector(keys.require("origin")),
             y: keys.take("y").map(numbers),
         },
         Some("plane") => Shape::Plane {
-            normal: vector(keys.need("normal")).unit(),
-            point: vector(keys.need("point")),
+            normal: vector(keys.require("normal")).unit(),
+            point: vector(keys.require("point")),
             bounds: keys.take("bounds").map_or([None; 3], bounds),
         },
         Some("sphereflake") => Shape::Sphereflake(Sphereflake {
-            center: vector(keys.need("center")),
-            radius: number(keys.need("radius")),
-            depth: whole(keys.need("depth")),
+            center: vector(keys.require("center")),
+            radius: number(keys.require("radius")),
+            depth: whole(keys.require("depth")),
             ratio: keys.take("ratio").map_or(F::ONE / F::lit(3.0), number),
             frame: keys
                 .take("frame")
                 .map_or(upright_frame(), |rows| array(rows).map(|row| vector(row))),
         }),
-        other => panic!("no object is of type {other:?}"),
+        other => panic!("unknown object type {other:?}"),
     };
     let cover = match keys.take("checker") {
         Some(value) => checker(value, names),
-        None => Cover::Material(material_named(keys.need("material"), names)),
+        None => Cover::Material(material_named(keys.require("material"), names)),
     };
-    keys.done();
+    keys.finish();
     Object { shape, cover }
 }
 
 fn bounds<F: Float>(value: Value) -> [Option<[F; 2]>; 3] {
     let mut keys = Keys::new(table_of(value), "bounds".to_owned());
     let bounds = ["x", "y", "z"].map(|axis| keys.take(axis).map(numbers));
-    keys.done();
+    keys.finish();
     bounds
 }
 
 fn checker<F: Float>(value: Value, names: &[String]) -> Cover<F> {
     let mut keys = Keys::new(table_of(value), "checker".to_owned());
     let cover = Cover::Checker {
-        size: number(keys.need("size")),
-        axes: match keys.need("axes").as_str() {
+        size: number(keys.require("size")),
+        axes: match keys.require("axes").as_str() {
             Some("xy" | "yx") => [Axis::X, Axis::Y],
             Some("yz" | "zy") => [Axis::Y, Axis::Z],
             Some("xz" | "zx") => [Axis::X, Axis::Z],
-            other => panic!("{other:?} are no two axes"),
+            other => panic!("expected two different axes, such as \"xz\", found {other:?}"),
         },
-        materials: array(keys.need("materials")).map(|name| material_named(name, names)),
+        materials: array(keys.require("materials")).map(|name| material_named(name, names)),
     };
-    keys.done();
+    keys.finish();
     cover
 }
 
@@ -255,26 +259,27 @@ fn material_named(value: Value, names: &[String]) -> usize {
     names
         .iter()
         .position(|name| value.as_str() == Some(name))
-        .unwrap_or_else(|| panic!("no material is called {value:?}"))
+        .unwrap_or_else(|| panic!("unknown material {value:?}"))
 }
 
-fn farthest<F: Float>(v: Vec3<F>) -> F {
+/// Returns the greatest absolute component.
+fn max_abs<F: Float>(v: Vec3<F>) -> F {
     v.x.abs().max(v.y.abs()).max(v.z.abs())
 }
 
-/// About how far a shape reaches from the world's origin, an endless one's
-/// ends aside: the size that coordinates, and so their roundings, have.
+/// Returns the approximate distance of a shape's farthest point from the world origin,
+/// ignoring unbounded directions. Rounding errors of coordinates scale with it.
 fn extent<F: Float>(shape: &Shape<F>) -> F {
     let end = |y: Option<[F; 2]>| y.map_or(F::ZERO, |[low, high]| low.abs().max(high.abs()));
     match *shape {
-        Shape::Sphere { center, radius } => farthest(center) + radius,
-        Shape::Ellipsoid { center, radii } => farthest(center) + radii.greatest(),
-        Shape::Cylinder { origin, radius, y } => farthest(origin) + radius.max(end(y)),
+        Shape::Sphere { center, radius } => max_abs(center) + radius,
+        Shape::Ellipsoid { center, radii } => max_abs(center) + radii.greatest(),
+        Shape::Cylinder { origin, radius, y } => max_abs(origin) + radius.max(end(y)),
         Shape::Cone {
             origin, radius, y, ..
-        } => farthest(origin) + radius.max(end(y)),
-        Shape::Paraboloid { origin, y } => farthest(origin) + end(y),
-        Shape::Plane { point, .. } => farthest(point),
-        Shape::Sphereflake(flake) => farthest(flake.center) + flake.radius,
+        } => max_abs(origin) + radius.max(end(y)),
+        Shape::Paraboloid { origin, y } => max_abs(origin) + end(y),
+        Shape::Plane { point, .. } => max_abs(point),
+        Shape::Sphereflake(flake) => max_abs(flake.center) + flake.radius,
     }
 }

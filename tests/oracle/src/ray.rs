@@ -1,32 +1,34 @@
-//! Rays, and how far they reach.
+//! Rays and the interval of t in which a hit counts.
 
 use crate::Float;
 use crate::vec3::Vec3;
 
-/// A ray with a unit direction.
+/// Ray with a unit direction.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Ray<F> {
     pub origin: Vec3<F>,
     pub direction: Vec3<F>,
-    /// The surface that it starts on; none for an eye ray.
-    pub start: Option<Start<F>>,
+    /// Surface on which the ray starts; `None` for a camera ray.
+    pub start: Option<SurfaceId<F>>,
 }
 
-/// A surface: which object, and the center or origin of the part of it. Among
-/// the spheres of a sphereflake the center tells which, since a walk computes
-/// it the same, to the bit, every time.
+/// Identifies a surface by its object and the center or origin of its part. The
+/// center distinguishes the spheres of a sphereflake: every traversal computes it
+/// with the same bits.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Start<F> {
+pub(crate) struct SurfaceId<F> {
     pub object: usize,
     pub center: Vec3<F>,
 }
 
 impl<F: Float> Ray<F> {
+    /// Returns the point at distance `t`.
     pub fn at(&self, t: F) -> Vec3<F> {
         self.origin + self.direction * t
     }
 
-    /// The center of the part of this object that the ray starts on.
+    /// Returns the center of the part on which the ray starts, if it starts on this
+    /// object.
     #[inline]
     pub fn start_on(&self, object: usize) -> Option<&Vec3<F>> {
         self.start
@@ -36,24 +38,24 @@ impl<F: Float> Ray<F> {
     }
 }
 
-/// The stretch of a ray in which a crossing counts, its ends excluded.
+/// Open interval of t in which a hit counts.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Reach<F> {
+pub(crate) struct Interval<F> {
     pub near: F,
     pub far: F,
 }
 
-impl<F: Float> Reach<F> {
-    /// False for what is not a number, too.
+impl<F: Float> Interval<F> {
+    /// Returns true if `t` is inside the interval; false for NaN.
     #[inline]
-    pub fn holds(&self, t: F) -> bool {
+    pub fn contains(&self, t: F) -> bool {
         self.near < t && t < self.far
     }
 
-    /// Hands a crossing within reach to `visit`, which answers the new far end.
+    /// Passes a hit inside the interval to `visit`, which returns the new far end.
     #[inline]
-    pub fn offer(&mut self, t: F, center: Vec3<F>, visit: &mut impl FnMut(F, Vec3<F>) -> F) {
-        if self.holds(t) {
+    pub fn report(&mut self, t: F, center: Vec3<F>, visit: &mut impl FnMut(F, Vec3<F>) -> F) {
+        if self.contains(t) {
             self.far = visit(t, center);
         }
     }

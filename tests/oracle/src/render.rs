@@ -1,4 +1,4 @@
-//! Whole pictures, in memory.
+//! Renders pictures to memory, with one thread per core.
 
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::thread;
@@ -6,17 +6,17 @@ use std::thread;
 use crate::load::OwnedScene;
 use crate::{Float, Scene};
 
-/// Two methods that are not generic, so that they are compiled here, with this
-/// crate's optimization level, and not in an unoptimized test.
+/// Rendering is not generic, so that it is compiled with the optimization level of
+/// this crate and not with that of a test.
 impl OwnedScene<f64> {
-    /// The linear colors, not clipped, row by row from the top.
+    /// Renders in f64. Returns unclipped linear colors, row by row from the top.
     pub fn render(&self, width: u32, height: u32) -> Vec<[f64; 3]> {
         render(&self.scene(), width, height)
     }
 }
 
 impl OwnedScene<f32> {
-    /// As in f64, but computed in f32.
+    /// Renders in f32. Returns unclipped linear colors, row by row from the top.
     pub fn render(&self, width: u32, height: u32) -> Vec<[f64; 3]> {
         render(&self.scene(), width, height)
     }
@@ -29,7 +29,7 @@ fn render<F: Float>(scene: &Scene<'_, F>, width: u32, height: u32) -> Vec<[f64; 
             .map(|x| scene.pixel(&view, x, y).to_array().map(F::to_f64))
             .collect::<Vec<_>>()
     };
-    // Rows differ in price, so each thread takes the next one that is left.
+    // Rows differ in cost, so each thread takes the next row when it is free.
     let next = AtomicU32::new(0);
     let work = || {
         let mut rows = Vec::new();

@@ -1,10 +1,9 @@
-//! What a scene is: plain data that borrows its lists, so that it may lie in
-//! flash.
+//! Scene description: plain data with borrowed lists, which can be stored in flash.
 
 use crate::shape::Shape;
 use crate::vec3::{Color, Vec3};
 
-/// All that a picture is computed from.
+/// Scene with its camera.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Scene<'a, F> {
@@ -15,7 +14,7 @@ pub struct Scene<'a, F> {
     pub objects: &'a [Object<F>],
 }
 
-/// Where the picture is seen from.
+/// Pinhole camera.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize))]
 pub struct Camera<F> {
@@ -26,38 +25,39 @@ pub struct Camera<F> {
     pub fovy_deg: F,
 }
 
-/// What holds for the whole scene.
+/// Settings of the whole scene.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize))]
 pub struct Settings<F> {
-    /// Generations of secondary rays; 0 is plain ray casting.
+    /// Greatest number of reflections and refractions in a row; 0 is ray casting.
     pub max_depth: u32,
-    /// A branch that counts for less than this in every channel is cut.
+    /// A secondary ray is dropped if its weight is less than this in every channel.
     pub min_weight: F,
-    /// Rays of the tree that a pixel may cost, shadow rays not counted. They
-    /// are spent depth first, the reflected ray before the refracted one.
+    /// Greatest number of rays per pixel, without shadow rays. Rays are traced depth
+    /// first, the reflected ray before the refracted one.
     pub ray_budget: u32,
-    /// A hit nearer than this is passed over, in world units. A ray knows the
-    /// surface that it starts on, so a few roundings of the world's size do.
+    /// Least distance of a hit, in world units. A few rounding errors of the scene's
+    /// size suffice, because a ray records the surface on which it starts.
     pub epsilon: F,
-    /// The ambient light, `ia`.
+    /// Ambient light `ia`.
     pub ambient: Color<F>,
     pub background: Background<F>,
 }
 
-/// What a ray that hits nothing brings back.
+/// Radiance of rays that miss every object.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize))]
 pub enum Background<F> {
     Solid(Color<F>),
-    /// Blended by the height of the ray's direction; the horizon's below it.
+    /// Linear blend by the y component of the ray direction, 0 to 1. Below the horizon
+    /// the background has the horizon's color.
     Gradient {
         horizon: Color<F>,
         zenith: Color<F>,
     },
 }
 
-/// A point light.
+/// Point light without distance falloff.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize))]
 pub struct Light<F> {
@@ -66,7 +66,7 @@ pub struct Light<F> {
     pub specular: Color<F>,
 }
 
-/// How a surface answers light.
+/// Reflection, transmission and emission of a surface.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize))]
 pub struct Material<F> {
@@ -81,7 +81,7 @@ pub struct Material<F> {
     pub model: Model,
 }
 
-/// The specular term's formula.
+/// Formula of the specular term.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize))]
 pub enum Model {
@@ -89,7 +89,7 @@ pub enum Model {
     BlinnPhong,
 }
 
-/// A shape and what covers it.
+/// Shape with its materials.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize))]
 pub struct Object<F> {
@@ -97,13 +97,13 @@ pub struct Object<F> {
     pub cover: Cover<F>,
 }
 
-/// Which material, by its place in [`Scene::materials`], lies where.
+/// Materials of an object, as indices into [`Scene::materials`].
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize))]
 pub enum Cover<F> {
     Material(usize),
-    /// The first material where the floors of the two world coordinates,
-    /// counted in squares of `size`, have an even sum; else the second.
+    /// Checkerboard in world coordinates: the first material where
+    /// `floor(a / size) + floor(b / size)` is even, else the second.
     Checker {
         size: F,
         axes: [Axis; 2],
@@ -111,7 +111,7 @@ pub enum Cover<F> {
     },
 }
 
-/// An axis of the world.
+/// World axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize))]
 pub enum Axis {

@@ -1,21 +1,20 @@
-//! Where a ray crosses a surface, and the surface's normal there.
+//! Intersection of rays with shapes, and surface normals.
 //!
-//! A query asks for t alone. One function, `Shape::crossings`, serves both
-//! kinds of query: it hands each crossing within reach to a visitor, which
-//! answers how far the ray still reaches. The nearest hit answers the
-//! crossing's own t; a shadow ray leaves its reach as it is, or gives zero to
-//! stop.
+//! `Shape::crossings` serves closest-hit and shadow rays. It passes every crossing in
+//! an interval of t to a visitor, which returns the new far end of the interval. The
+//! closest-hit search returns the crossing's t; a shadow ray keeps the far end, or
+//! returns 0 to stop.
 //!
-//! A ray's start point lies on its surface, whatever its rounded coordinates
-//! say. So a quadratic's constant term is taken as zero there, which leaves the
-//! other root exactly, and a plane is not hit again at all.
+//! A secondary ray starts on a surface, although its rounded coordinates may be off.
+//! Quadratic equations therefore set the constant term to 0 for that surface, which
+//! leaves the other root, and a plane cannot be hit again.
 
 use crate::Float;
-use crate::ray::{Ray, Reach};
+use crate::ray::{Interval, Ray};
 use crate::sphereflake::Sphereflake;
 use crate::vec3::{Vec3, vec3};
 
-/// A surface in its own coordinates, moved to its center or origin.
+/// Surface, with its equation relative to its center or origin.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize))]
 pub enum Shape<F> {
@@ -27,26 +26,26 @@ pub enum Shape<F> {
         center: Vec3<F>,
         radii: Vec3<F>,
     },
-    /// x² + z² = r², within `y` or endless.
+    /// x² + z² = r², clipped to the range `y` or unbounded.
     Cylinder {
         origin: Vec3<F>,
         radius: F,
         y: Option<[F; 2]>,
     },
-    /// Radius `radius` at y = 0, apex at y = `height`; a double cone where `y`
-    /// goes beyond the apex, and where it is endless.
+    /// Cone of radius `radius` at y = 0 with its apex at y = `height`. A double cone if
+    /// unbounded or if the range `y` extends beyond the apex.
     Cone {
         origin: Vec3<F>,
         radius: F,
         height: F,
         y: Option<[F; 2]>,
     },
-    /// x² + z² = y, within `y` or endless.
+    /// x² + z² = y, clipped to the range `y` or unbounded.
     Paraboloid {
         origin: Vec3<F>,
         y: Option<[F; 2]>,
     },
-    /// Through `point`, with a unit normal; `bounds` on the world's axes.
+    /// Plane through `point` with a unit normal, clipped to `bounds` on the world axes.
     Plane {
         normal: Vec3<F>,
         point: Vec3<F>,
@@ -56,15 +55,15 @@ pub enum Shape<F> {
 }
 
 impl<F: Float> Shape<F> {
-    /// Hands every crossing within reach to `visit`: its t and the center or
-    /// origin of what it lies on. `start` is the center of the part of this
-    /// shape that the ray starts on, if it does.
+    /// Passes every crossing in the interval to `visit`, with its t and the center or
+    /// origin of its part. `start` is the center of the part on which the ray starts,
+    /// if that belongs to this shape.
     #[inline]
     pub(crate) fn crossings(
         &self,
         ray: &Ray<F>,
         start: Option<&Vec3<F>>,
-        reach: &mut Reach<F>,
+        interval: &mut Interval<F>,
         visit: &mut impl FnMut(F, Vec3<F>) -> F,
     ) {
         match *self {
@@ -72,7 +71,7 @@ impl<F: Float> Shape<F> {
                 let to_center = center - ray.origin;
                 let foot = to_center.dot(ray.direction);
                 if start.is_some() {
-                    return reach.offer(foot + foot, center, visit);
+                    return interval.report(foot + foot, center, visit);
                 }
                 let outside = to_center.dot(to_center) - radius * radius;
                 if foot < F::ZERO && outside > F::ZERO {
@@ -83,8 +82,8 @@ impl<F: Float> Shape<F> {
                     return;
                 }
                 let half = half2.sqrt();
-                reach.offer(foot - half, center, visit);
-                reach.offer(foot + half, center, visit);
+                interval.report(foot - half, center, visit);
+                interval.report(foot + half, center, visit);
             }
             Shape::Plane {
                 normal,
@@ -100,26 +99,26 @@ impl<F: Float> Shape<F> {
                     return;
                 }
                 let t = height / sink;
-                if reach.holds(t) && is_within(ray, t, &bounds) {
-                    reach.offer(t, point, visit);
+                if interval.contains(t) && is_inside_bounds(ray, t, &bounds) {
+                    interval.report(t, point, visit);
                 }
             }
-            Shape::Sphereflake(ref flake) => flake.crossings(ray, start, reach, visit),
+            Shape::Sphereflake(ref flake) => flake.crossings(ray, start, interval, visit),
             Shape::Ellipsoid { center: origin, .. }
             | Shape::Cylinder { origin, .. }
             | Shape::Cone { origin, .. }
             | Shape::Paraboloid { origin, .. } => {
-                for t in self.quadric(ray, start.is_some()) {
-                    reach.offer(t, origin, visit);
+                for t in self.quadric_roots(ray, start.is_some()) {
+                    interval.report(t, origin, visit);
                 }
             }
         }
     }
 
-    /// The crossings of one of the other quadrics, as of [`roots`]. Apart, as
-    /// spheres and planes would share their registers with it.
+    /// Returns the crossings of an ellipsoid, cylinder, cone or paraboloid, in the form
+    /// of [`roots`]. Out of line, to keep the registers for spheres and planes.
     #[inline(never)]
-    fn quadric(&self, ray: &Ray<F>, on_surface: bool) -> [F; 2] {
+    fn quadric_roots(&self, ray: &Ray<F>, on_surface: bool) -> [F; 2] {
         match *self {
             Shape::Ellipsoid { center, radii } => {
                 let scale = vec3(F::ONE / radii.x, F::ONE / radii.y, F::ONE / radii.z);
@@ -132,7 +131,7 @@ impl<F: Float> Shape<F> {
                 let a = d.x * d.x + d.z * d.z;
                 let b = o.x * d.x + o.z * d.z;
                 let c = o.x * o.x + o.z * o.z - radius * radius;
-                between(o.y, d.y, y, roots(a, b, c, on_surface))
+                clip_roots(o.y, d.y, y, roots(a, b, c, on_surface))
             }
             Shape::Cone {
                 origin,
@@ -147,25 +146,24 @@ impl<F: Float> Shape<F> {
                 let a = d.x * d.x + d.z * d.z - slope2 * d.y * d.y;
                 let b = o.x * d.x + o.z * d.z - slope2 * below_apex * d.y;
                 let c = o.x * o.x + o.z * o.z - slope2 * below_apex * below_apex;
-                between(o.y, d.y, y, roots(a, b, c, on_surface))
+                clip_roots(o.y, d.y, y, roots(a, b, c, on_surface))
             }
             Shape::Paraboloid { origin, y } => {
                 let (o, d) = (ray.origin - origin, ray.direction);
                 let a = d.x * d.x + d.z * d.z;
                 let b = o.x * d.x + o.z * d.z - F::lit(0.5) * d.y;
                 let c = o.x * o.x + o.z * o.z - o.y;
-                between(o.y, d.y, y, roots(a, b, c, on_surface))
+                clip_roots(o.y, d.y, y, roots(a, b, c, on_surface))
             }
             _ => [F::INFINITY; 2],
         }
     }
 
-    /// The unit gradient of the implicit function at a point of the surface,
-    /// on the part that has this center or origin.
+    /// Returns the unit normal at a point of the part with this center or origin.
     ///
-    /// Made a unit vector even where the radius is known: a point's rounding
-    /// would else stretch the reflected ray, that its next hit, and so on,
-    /// tenfold at each bounce inside a glass sphere.
+    /// Spheres normalize too, instead of dividing by the radius. Otherwise the rounding
+    /// of the point would change the length of the reflected direction, and the error
+    /// would grow tenfold at each bounce inside a glass sphere.
     #[inline]
     pub(crate) fn normal(&self, point: Vec3<F>, center: Vec3<F>) -> Vec3<F> {
         let p = point - center;
@@ -184,9 +182,9 @@ impl<F: Float> Shape<F> {
         }
     }
 
-    /// Whether the surface has an inside. A clamped one has none, so light goes
-    /// straight on through it.
-    pub(crate) fn has_inside(&self) -> bool {
+    /// Returns true if the surface has an interior. Clipped surfaces have none, and
+    /// transmit light without refraction.
+    pub(crate) fn has_interior(&self) -> bool {
         match self {
             Shape::Sphere { .. } | Shape::Ellipsoid { .. } | Shape::Sphereflake(_) => true,
             Shape::Cylinder { y, .. } | Shape::Cone { y, .. } | Shape::Paraboloid { y, .. } => {
@@ -197,9 +195,9 @@ impl<F: Float> Shape<F> {
     }
 }
 
-/// The roots of `a·t² + 2·b·t + c`, in no order. One that does not exist is not
-/// a number or infinite, and so never within reach. From a start point on the
-/// surface, where c = 0, the root t = 0 is left out.
+/// Returns the roots of `a·t² + 2·b·t + c`, unordered. A missing root is NaN or
+/// infinite, and thus outside every interval. For a ray that starts on the surface, c
+/// is 0 and the root t = 0 is left out.
 fn roots<F: Float>(a: F, b: F, c: F, on_surface: bool) -> [F; 2] {
     let none = F::INFINITY;
     if on_surface {
@@ -209,15 +207,16 @@ fn roots<F: Float>(a: F, b: F, c: F, on_surface: bool) -> [F; 2] {
     if discriminant < F::ZERO {
         return [none, none];
     }
-    // The sum that cannot cancel gives one root, their product c/a the other.
-    // It also holds for a = 0, a ray along a cone's side or a paraboloid's axis.
+    // The sum without cancellation gives one root, the product of roots c/a the other.
+    // a is 0 for a ray along a cone's side or a paraboloid's axis; then c/sum is the
+    // only finite root.
     let root = discriminant.sqrt();
     let sum = if b < F::ZERO { root - b } else { -root - b };
     [sum / a, c / sum]
 }
 
-/// Leaves out the roots at which the ray is not within the limits of y.
-fn between<F: Float>(o: F, d: F, limits: Option<[F; 2]>, roots: [F; 2]) -> [F; 2] {
+/// Replaces roots at which y is outside its limits by infinity.
+fn clip_roots<F: Float>(o: F, d: F, limits: Option<[F; 2]>, roots: [F; 2]) -> [F; 2] {
     roots.map(|t| {
         if is_between(o + t * d, limits) {
             t
@@ -231,7 +230,7 @@ fn is_between<F: Float>(x: F, limits: Option<[F; 2]>) -> bool {
     limits.is_none_or(|[low, high]| low < x && x < high)
 }
 
-fn is_within<F: Float>(ray: &Ray<F>, t: F, bounds: &[Option<[F; 2]>; 3]) -> bool {
+fn is_inside_bounds<F: Float>(ray: &Ray<F>, t: F, bounds: &[Option<[F; 2]>; 3]) -> bool {
     let [x, y, z] = *bounds;
     let (o, d) = (ray.origin, ray.direction);
     is_between(o.x + t * d.x, x) && is_between(o.y + t * d.y, y) && is_between(o.z + t * d.z, z)

@@ -1,13 +1,13 @@
-//! The sphereflake: every sphere is touched by twelve smaller ones.
+//! Sphereflake: twelve smaller spheres touch every sphere.
 //!
-//! Nothing of it is stored. A ray walks the tree from the root and skips a
-//! subtree whose bounding sphere it misses.
+//! The spheres are not stored. Each ray traverses the tree from the root and skips
+//! subtrees whose bounding sphere it misses.
 
 use crate::Float;
-use crate::ray::{Ray, Reach};
+use crate::ray::{Interval, Ray};
 use crate::vec3::{Vec3, vec3};
 
-/// The root sphere, and how the rest follow from it.
+/// Root sphere and the parameters of its descendants.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize))]
 pub struct Sphereflake<F> {
@@ -15,17 +15,17 @@ pub struct Sphereflake<F> {
     pub radius: F,
     /// Generations of children.
     pub depth: u32,
-    /// A child's radius in its parent's.
+    /// Radius of a child relative to its parent.
     pub ratio: F,
-    /// The root's u, v and w, orthonormal.
+    /// Orthonormal basis u, v, w of the root.
     pub frame: [Vec3<F>; 3],
 }
 
-/// The directions of a cuboctahedron in a sphere's (u, v, w): six around the
-/// equator, three above and three below.
+/// Directions of the children in the basis (u, v, w) of their parent, the vertices of
+/// a cuboctahedron: six around the equator, three above and three below.
 const CHILDREN: [[f64; 3]; 12] = {
-    // √(3/4); then, at an elevation of ±atan √2, its cosine √(1/3), half of
-    // that, and its sine √(2/3).
+    // S = √(3/4). The elevation ±atan √2 has the cosine C = √(1/3), H = C/2 and the
+    // sine E = √(2/3).
     const S: f64 = 0.866_025_403_784_438_6;
     const C: f64 = 0.577_350_269_189_625_8;
     const H: f64 = 0.288_675_134_594_812_9;
@@ -46,24 +46,24 @@ const CHILDREN: [[f64; 3]; 12] = {
     ]
 };
 
-/// One sphere of the tree, met on a walk.
+/// Sphere of the tree, during a traversal.
 #[derive(Clone, Copy)]
 struct Node<F> {
     center: Vec3<F>,
     radius: F,
     frame: [Vec3<F>; 3],
-    /// Generations below it.
+    /// Generations below this sphere.
     depth: u32,
 }
 
 impl<F: Float> Sphereflake<F> {
-    /// As of every shape. `start` is the sphere that the ray starts on, told by
-    /// its center.
+    /// Reports every crossing in the interval to `visit`, see `Shape::crossings`.
+    /// `start` is the center of the sphere on which the ray starts.
     pub(crate) fn crossings(
         &self,
         ray: &Ray<F>,
         start: Option<&Vec3<F>>,
-        reach: &mut Reach<F>,
+        interval: &mut Interval<F>,
         visit: &mut impl FnMut(F, Vec3<F>) -> F,
     ) {
         let root = Node {
@@ -72,20 +72,21 @@ impl<F: Float> Sphereflake<F> {
             frame: self.frame,
             depth: self.depth,
         };
-        if self.may_meet(ray, self.center, self.radius, self.depth, reach) {
-            self.walk(ray, start, &root, reach, visit);
+        if self.may_hit(ray, self.center, self.radius, self.depth, interval) {
+            self.traverse(ray, start, &root, interval, visit);
         }
     }
 
-    fn walk(
+    /// Intersects a sphere and its descendants.
+    fn traverse(
         &self,
         ray: &Ray<F>,
         start: Option<&Vec3<F>>,
         node: &Node<F>,
-        reach: &mut Reach<F>,
+        interval: &mut Interval<F>,
         visit: &mut impl FnMut(F, Vec3<F>) -> F,
     ) {
-        meet(ray, start, node, reach, visit);
+        intersect(ray, start, node, interval, visit);
         if node.depth == 0 {
             return;
         }
@@ -96,10 +97,10 @@ impl<F: Float> Sphereflake<F> {
             let [du, dv, dw] = direction.map(F::lit);
             let out = u * du + v * dv + w * dw;
             let center = node.center + out * (node.radius + radius);
-            if !self.may_meet(ray, center, radius, depth, reach) {
+            if !self.may_hit(ray, center, radius, depth, interval) {
                 continue;
             }
-            // The smallest rotation that takes w to `out`; w·out = dw.
+            // Smallest rotation that turns w to `out`; w·out = dw.
             let turn = (w + out) * (F::ONE / (F::ONE + dw));
             let frame = [u - turn * du, v - turn * dv, out];
             let child = Node {
@@ -108,18 +109,18 @@ impl<F: Float> Sphereflake<F> {
                 frame,
                 depth,
             };
-            self.walk(ray, start, &child, reach, visit);
+            self.traverse(ray, start, &child, interval, visit);
         }
     }
 
-    /// Whether the ray, within reach, meets the sphere around a subtree.
-    fn may_meet(
+    /// Returns true if the ray hits the bounding sphere of a subtree in the interval.
+    fn may_hit(
         &self,
         ray: &Ray<F>,
         center: Vec3<F>,
         radius: F,
         depth: u32,
-        reach: &Reach<F>,
+        interval: &Interval<F>,
     ) -> bool {
         let bound = if depth == 0 {
             radius
@@ -127,42 +128,42 @@ impl<F: Float> Sphereflake<F> {
             radius * (F::ONE + self.ratio) / (F::ONE - self.ratio)
         };
         let (foot, half2) = chord(ray, center, bound);
-        // Half the chord must bridge what the chord's middle lies out of reach.
-        let beyond = (foot - reach.far).max(-foot);
+        // The interval overlaps the chord if half the chord is longer than the distance
+        // from the chord's midpoint to the interval.
+        let beyond = (foot - interval.far).max(-foot);
         half2 >= F::ZERO && (beyond <= F::ZERO || beyond * beyond <= half2)
     }
 }
 
-/// Offers one sphere's crossings.
-fn meet<F: Float>(
+/// Intersects one sphere.
+fn intersect<F: Float>(
     ray: &Ray<F>,
     start: Option<&Vec3<F>>,
     node: &Node<F>,
-    reach: &mut Reach<F>,
+    interval: &mut Interval<F>,
     visit: &mut impl FnMut(F, Vec3<F>) -> F,
 ) {
     let (foot, half2) = chord(ray, node.center, node.radius);
     if start == Some(&node.center) {
-        reach.offer(foot + foot, node.center, visit);
+        interval.report(foot + foot, node.center, visit);
     } else if half2 >= F::ZERO {
         let half = half2.sqrt();
-        reach.offer(foot - half, node.center, visit);
-        reach.offer(foot + half, node.center, visit);
+        interval.report(foot - half, node.center, visit);
+        interval.report(foot + half, node.center, visit);
     }
 }
 
-/// The t of the ray's point nearest to a sphere's center, and the square of
-/// half the chord that the sphere cuts from the ray: negative for a miss. By
-/// way of that point, since b² − c would lose a sphere of 0.1 at a distance of
-/// 600 in f32.
+/// Returns t of the ray's point nearest to the center of a sphere, and the square of
+/// half the chord, negative for a miss. In f32, the textbook discriminant b² − c
+/// would lose a sphere of radius 0.1 at a distance of 600.
 fn chord<F: Float>(ray: &Ray<F>, center: Vec3<F>, radius: F) -> (F, F) {
     let to_center = center - ray.origin;
     let foot = to_center.dot(ray.direction);
-    let off = to_center - ray.direction * foot;
-    (foot, radius * radius - off.dot(off))
+    let offset = to_center - ray.direction * foot;
+    (foot, radius * radius - offset.dot(offset))
 }
 
-/// The root's frame unless a scene gives one: its poles on the y axis.
+/// Returns the default basis of the root, whose w points along the y axis.
 pub fn upright_frame<F: Float>() -> [Vec3<F>; 3] {
     [
         vec3(F::ONE, F::ZERO, F::ZERO),

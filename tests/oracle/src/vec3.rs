@@ -1,10 +1,10 @@
-//! Points, directions and colors: three numbers each.
+//! Vectors of three numbers: points, directions and colors.
 
 use core::ops::{Add, Mul, Neg, Sub};
 
 use crate::Float;
 
-/// A point or direction of right-handed space, y up.
+/// Point or direction in right-handed coordinates, y up.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize))]
 pub struct Vec3<F> {
@@ -13,10 +13,10 @@ pub struct Vec3<F> {
     pub z: F,
 }
 
-/// Linear red, green and blue, in x, y and z.
+/// Linear color: red, green and blue in x, y and z.
 pub type Color<F> = Vec3<F>;
 
-/// A [`Vec3`], short enough for tables of scenes.
+/// Shorthand constructor of a [`Vec3`].
 pub const fn vec3<F>(x: F, y: F, z: F) -> Vec3<F> {
     Vec3 { x, y, z }
 }
@@ -25,7 +25,7 @@ impl<F: Float> Vec3<F> {
     pub const ZERO: Self = vec3(F::ZERO, F::ZERO, F::ZERO);
     pub const ONE: Self = vec3(F::ONE, F::ONE, F::ONE);
 
-    /// From literals.
+    /// Converts literals.
     pub fn lit([x, y, z]: [f64; 3]) -> Self {
         vec3(F::lit(x), F::lit(y), F::lit(z))
     }
@@ -52,18 +52,19 @@ impl<F: Float> Vec3<F> {
         self.dot(self).sqrt()
     }
 
+    /// Returns the vector scaled to length 1.
     #[inline]
     pub fn unit(self) -> Self {
         self * (F::ONE / self.length())
     }
 
-    /// Component by component: a light through a filter, or a point brought to
-    /// an ellipsoid's scale.
+    /// Multiplies component by component.
     #[inline]
     pub fn times(self, other: Self) -> Self {
         vec3(self.x * other.x, self.y * other.y, self.z * other.z)
     }
 
+    /// Returns the greatest component.
     pub fn greatest(self) -> F {
         self.x.max(self.y).max(self.z)
     }

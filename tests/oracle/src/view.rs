@@ -1,30 +1,31 @@
-//! Eye rays.
+//! Camera rays.
 
 use crate::Float;
 use crate::ray::Ray;
 use crate::scene::Camera;
 use crate::vec3::Vec3;
 
-/// A picture's rays: made once, then asked for each pixel's.
+/// Camera ray generator of a picture.
 #[derive(Clone, Copy, Debug)]
 pub struct View<F> {
     eye: Vec3<F>,
-    /// The direction through the center of the top left pixel, and the steps
-    /// from there one pixel right and one down; not unit vectors.
+    /// Direction through the center of the top left pixel, not a unit vector.
     corner: Vec3<F>,
+    /// Change of the direction per pixel to the right.
     right: Vec3<F>,
+    /// Change of the direction per pixel down.
     down: Vec3<F>,
 }
 
 impl<F: Float> Camera<F> {
-    /// The rays of a picture of this size.
+    /// Returns the ray generator for a picture of this size.
     pub fn view(&self, width: u32, height: u32) -> View<F> {
         let (w, h) = (F::from_u32(width), F::from_u32(height));
         let half = F::lit(0.5);
         let forward = (self.look_at - self.eye).unit();
         let right = forward.cross(self.up).unit();
         let up = right.cross(forward);
-        // The picture is 2·tan(fovy/2) high at distance one; pixels are square.
+        // At distance 1 the picture is 2·tan(fovy/2) high. Pixels are square.
         let tangent = (self.fovy_deg * F::lit(core::f64::consts::PI / 360.0)).tan();
         let pixel = (tangent + tangent) / h;
         let x = (half - w * half) * pixel;
@@ -39,6 +40,7 @@ impl<F: Float> Camera<F> {
 }
 
 impl<F: Float> View<F> {
+    /// Returns the ray through the center of a pixel.
     pub(crate) fn ray(&self, x: u32, y: u32) -> Ray<F> {
         let (x, y) = (F::from_u32(x), F::from_u32(y));
         Ray {

@@ -1,4 +1,5 @@
-//! Frames of a moving scene, of which only what changed is sent.
+//! `DirtyLines`: frames of a moving scene, of which only changed segments are sent
+//! to the display.
 
 #![allow(clippy::unwrap_used)]
 
@@ -13,12 +14,12 @@ use whitted::{
     Texture, Vec3,
 };
 
-/// Its last segments are not whole.
+/// Picture size; segments are 32 pixels wide, so the last one of each line is partial.
 const SIZE: Size = Size::new(150, 60);
 const PIXELS: u32 = SIZE.width * SIZE.height;
 const FRAMES: i32 = 12;
 
-/// Lines of a sphere that rolls over a floor.
+/// Renders a frame of a sphere that moves along a floor.
 fn frame<C: whitted::render::DisplayColor + PixelColor>(number: i32, black: C) -> Vec<Vec<C>> {
     let x = Real::from_num(number) / 8 - Real::ONE;
     let objects = [
@@ -59,10 +60,11 @@ fn frame<C: whitted::render::DisplayColor + PixelColor>(number: i32, black: C) -
     lines
 }
 
-/// A display that may fail in the midst of a call.
+/// Display that can fail in the middle of a call, after 20 pixels.
 struct Screen<C> {
     shown: Vec<Vec<C>>,
     calls: Vec<Rectangle>,
+    /// Returns true if the current call fails.
     fails: Box<dyn FnMut() -> bool>,
 }
 
@@ -90,7 +92,7 @@ impl<C: PixelColor> DrawTarget for Screen<C> {
     type Error = Unplugged;
 
     fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, _: I) -> Result<(), Unplugged> {
-        panic!("pixel by pixel")
+        panic!("DirtyLines drew single pixels")
     }
 
     fn fill_contiguous<I>(&mut self, area: &Rectangle, colors: I) -> Result<(), Unplugged>
@@ -98,8 +100,8 @@ impl<C: PixelColor> DrawTarget for Screen<C> {
         I: IntoIterator<Item = C>,
     {
         let fails = (self.fails)();
-        let most = if fails { 20 } else { usize::MAX };
-        for (point, color) in area.points().zip(colors).take(most) {
+        let limit = if fails { 20 } else { usize::MAX };
+        for (point, color) in area.points().zip(colors).take(limit) {
             self.shown[point.y as usize][point.x as usize] = color;
         }
         if fails {
@@ -110,8 +112,8 @@ impl<C: PixelColor> DrawTarget for Screen<C> {
     }
 }
 
-/// Sends frames, each failed line again, and returns how many pixels were sent
-/// of each.
+/// Sends all frames, repeating lines that fail, and checks the display after each
+/// frame. Returns the number of pixels sent per frame.
 fn play<C>(screen: &mut Screen<C>, hashes: &mut [u32]) -> Vec<u32>
 where
     C: whitted::render::DisplayColor + PixelColor + IntoStorage<Storage: Into<u32>>,
@@ -135,12 +137,12 @@ where
 }
 
 #[test]
-fn the_display_shows_each_frame_and_is_sent_little() {
+fn sends_less_than_half_of_each_frame() {
     let mut screen = Screen::new(Rgb565::MAGENTA, || false);
     let sent = play(&mut screen, &mut [0; DirtyLines::hashes(SIZE)]);
     println!("{sent:?} of {PIXELS}");
     assert_eq!(sent[0], PIXELS);
-    // The sphere and its shadow, in segments of 32 pixels.
+    // The first frame is sent completely; later ones send the sphere and its shadow.
     assert!(
         sent[1..]
             .iter()
@@ -151,7 +153,7 @@ fn the_display_shows_each_frame_and_is_sent_little() {
 }
 
 #[test]
-fn colors_of_every_depth_have_hashes() {
+fn accepts_colors_of_every_depth() {
     let mut hashes = [0; DirtyLines::hashes(SIZE)];
     for sent in [
         play(&mut Screen::new(BinaryColor::On, || false), &mut hashes),
@@ -168,8 +170,8 @@ fn colors_of_every_depth_have_hashes() {
 }
 
 #[test]
-fn what_fails_is_sent_again() {
-    // Each call, once.
+fn resends_failed_lines() {
+    // Every call fails once.
     let mut fails = false;
     let mut screen = Screen::new(Rgb565::MAGENTA, move || {
         fails = !fails;
@@ -183,9 +185,9 @@ fn what_fails_is_sent_again() {
     }
 }
 
-/// A frame that is given up after a failure is made good by the next.
+/// A frame can be abandoned after a failure; the next frame repairs the display.
 #[test]
-fn a_frame_may_be_given_up() {
+fn next_frame_repairs_abandoned_frame() {
     let mut rng = Rng::with_seed(1);
     let mut hashes = [0; DirtyLines::hashes(SIZE)];
     let mut screen = Screen::new(Rgb565::MAGENTA, move || rng.u8(0..30) == 0);
@@ -193,7 +195,7 @@ fn a_frame_may_be_given_up() {
     for number in 0..FRAMES {
         let lines = frame(number, Rgb565::BLACK);
         let mut lines = (0..).zip(&lines);
-        // Line by line until one fails.
+        // Sends lines until one fails.
         while let Some((y, line)) = lines.next()
             && changes.send_line(y, line, &mut screen).is_ok()
         {}
@@ -207,7 +209,7 @@ fn a_frame_may_be_given_up() {
 }
 
 #[test]
-fn neighbors_go_together() {
+fn merges_adjacent_segments() {
     let mut screen = Screen::new(Gray4::BLACK, || false);
     let mut hashes = [7; DirtyLines::hashes(SIZE)];
     let mut changes = DirtyLines::new(SIZE.width, &mut hashes);
@@ -228,10 +230,10 @@ fn neighbors_go_together() {
     (line[0], line[31]) = (Gray4::WHITE, Gray4::WHITE);
     (line[32], line[149]) = (Gray4::WHITE, Gray4::WHITE);
     assert_eq!(send(&line), [(0, 64), (128, 22)]);
-    // The same colors at other places.
+    // Swapping two colors must change the hash of their segment.
     line.swap(32, 33);
     assert_eq!(send(&line), [(32, 32)]);
-    // A part of the line, and more than the line.
+    // Slices shorter and longer than the line.
     line[1] = Gray4::WHITE;
     assert_eq!(send(&line[..64]), [(0, 32)]);
     line[100] = Gray4::WHITE;
@@ -241,16 +243,16 @@ fn neighbors_go_together() {
 }
 
 #[test]
-fn what_is_forgotten_or_has_no_memory_is_sent_as_a_whole() {
+fn sends_everything_after_forget_and_without_hashes() {
     let mut screen = Screen::new(Gray4::BLACK, || false);
     let line = [Gray4::BLACK; SIZE.width as usize];
-    // Of two lines and a part of the third.
+    // Memory for the hashes of two lines and two segments of a third.
     let mut hashes = [0; 12];
     let mut changes = DirtyLines::new(SIZE.width, &mut hashes);
     let mut broken = Screen::new(Gray4::BLACK, || true);
     assert_eq!(changes.send_line(2, &line, &mut broken), Err(Unplugged));
     for y in [0, 1, 2, 59, u32::MAX] {
-        assert_eq!(changes.send_line(y, &line, &mut Blind), Ok(150));
+        assert_eq!(changes.send_line(y, &line, &mut NullDisplay), Ok(150));
     }
     let mut again = |y| changes.send_line(y, &line, &mut screen);
     assert_eq!(
@@ -261,16 +263,16 @@ fn what_is_forgotten_or_has_no_memory_is_sent_as_a_whole() {
     assert_eq!(changes.send_line(1, &line, &mut screen), Ok(150));
 }
 
-/// Takes anything anywhere.
-struct Blind;
+/// Display that accepts every pixel and records none.
+struct NullDisplay;
 
-impl OriginDimensions for Blind {
+impl OriginDimensions for NullDisplay {
     fn size(&self) -> Size {
         SIZE
     }
 }
 
-impl DrawTarget for Blind {
+impl DrawTarget for NullDisplay {
     type Color = Gray4;
     type Error = Unplugged;
 

@@ -1,14 +1,14 @@
-//! Where objects touch.
+//! Light leaks between objects that touch.
 
 use fastrand::Rng;
 
 use super::{Triple, direction, outside, scene, shadows};
 
-/// Odd ones look straight into seams.
+/// Odd sizes send a ray exactly through the center, into the seams.
 const SIZES: [[u32; 2]; 3] = [[64, 64], [65, 65], [64, 48]];
 
-/// Objects, an eye and a lamp such that all that is seen is in shadow.
-struct Dark {
+/// Objects, camera and lamp, placed such that every visible point is in shadow.
+struct DarkScene {
     name: &'static str,
     objects: &'static str,
     eye: Triple,
@@ -17,20 +17,19 @@ struct Dark {
     lamp: Triple,
 }
 
-/// Where objects touch, nothing gets through: all of each picture is black.
 #[test]
-fn no_light_leaks_where_objects_touch() {
+fn touching_objects_leak_no_light() {
     let mut leaks = Vec::new();
-    for dark in DARK {
+    for &DarkScene {
+        name,
+        objects,
+        eye,
+        look_at,
+        fovy,
+        lamp,
+    } in DARK
+    {
         for size in SIZES {
-            let &Dark {
-                name,
-                objects,
-                eye,
-                look_at,
-                fovy,
-                lamp,
-            } = dark;
             let seen = shadows(&scene(objects, eye, look_at, fovy, &[lamp]), size);
             println!("{name}, {size:?}: {seen:?}");
             assert!(seen.dark != [0, 0], "{name}");
@@ -42,8 +41,11 @@ fn no_light_leaks_where_objects_touch() {
     assert!(leaks.is_empty(), "{leaks:#?}");
 }
 
-const DARK: &[Dark] = &[
-    Dark {
+const CYLINDER_ON_FLOOR: &str = r#"type = "cylinder", origin = [0, 0.1, 0], radius = 1, y = [0, 4]
+type = "plane", normal = [0, 1, 0], point = [0, 0.1, 0]"#;
+
+const DARK: &[DarkScene] = &[
+    DarkScene {
         name: "a sphere on a floor, lit from above",
         objects: r#"type = "sphere", center = [0, 1, 0], radius = 1
 type = "plane", normal = [0, 1, 0], point = [0, 0, 0]"#,
@@ -52,26 +54,24 @@ type = "plane", normal = [0, 1, 0], point = [0, 0, 0]"#,
         fovy: 20.0,
         lamp: [0.3, 6.0, 0.2],
     },
-    Dark {
+    DarkScene {
         name: "a cylinder on a floor, lit from outside, seen from inside",
-        objects: r#"type = "cylinder", origin = [0, 0.1, 0], radius = 1, y = [0, 4]
-type = "plane", normal = [0, 1, 0], point = [0, 0.1, 0]"#,
+        objects: CYLINDER_ON_FLOOR,
         eye: [0.0, 0.3, 0.0],
         look_at: [0.0, 0.1, -1.0],
         fovy: 60.0,
         lamp: [0.5, 0.2, -9.0],
     },
-    Dark {
+    DarkScene {
         name: "a cylinder on a floor, lit from inside, seen from outside",
-        objects: r#"type = "cylinder", origin = [0, 0.1, 0], radius = 1, y = [0, 4]
-type = "plane", normal = [0, 1, 0], point = [0, 0.1, 0]"#,
+        objects: CYLINDER_ON_FLOOR,
         eye: [0.0, 0.5, 3.0],
         look_at: [0.0, 0.1, 1.0],
         fovy: 20.0,
         lamp: [0.1, 0.7, 0.1],
     },
-    Dark {
-        name: "two spheres that touch, lit along their axis",
+    DarkScene {
+        name: "two touching spheres, lit along their axis",
         objects: r#"type = "sphere", center = [-1, 0, 0], radius = 1
 type = "sphere", center = [1, 0, 0], radius = 1"#,
         eye: [0.1, 0.1, 0.5],
@@ -79,8 +79,8 @@ type = "sphere", center = [1, 0, 0], radius = 1"#,
         fovy: 20.0,
         lamp: [-5.0, 0.0, 0.0],
     },
-    // The wall at the height of the seam sees the lamp through it.
-    Dark {
+    // The seam lies between the lamp and the visible part of the wall.
+    DarkScene {
         name: "two stacked cylinders around a lamp",
         objects: r#"type = "cylinder", origin = [0, -8.3, 0], radius = 1, y = [0, 8.4]
 type = "cylinder", origin = [0, 0.1, 0], radius = 1, y = [0, 8]
@@ -92,10 +92,10 @@ type = "plane", normal = [0, 0, 1], point = [0, 0, -3]"#,
     },
 ];
 
-/// Six walls let no lamp in, and no eye look out. The diagonals of the picture
-/// look straight into the edges of the box.
+/// Six walls form a closed box: no light from outside reaches the inside, and no
+/// camera ray leaves it. The picture's diagonals run exactly into the box edges.
 #[test]
-fn no_light_leaks_into_a_closed_box() {
+fn closed_box_leaks_no_light() {
     let mut rng = Rng::with_seed(4);
     let (mut dark, mut lit, mut missed) = (0, 0, 0);
     for _ in 0..100 {
@@ -103,9 +103,9 @@ fn no_light_leaks_into_a_closed_box() {
         let center = direction(&mut rng);
         let [x, y, z] = center;
         let lamp = loop {
-            let way = outside(&mut rng);
-            if way.iter().any(|c| c.abs() > 1.0) {
-                break [0, 1, 2].map(|i| center[i] + half * way[i]);
+            let offset = outside(&mut rng);
+            if offset.iter().any(|c| c.abs() > 1.0) {
+                break [0, 1, 2].map(|i| center[i] + half * offset[i]);
             }
         };
         let eye = [x, y, z + 0.9 * half * rng.f64()];
@@ -115,12 +115,12 @@ fn no_light_leaks_into_a_closed_box() {
         lit += seen.lit[0] + seen.lit[1];
         missed += seen.missed;
     }
-    println!("{dark} pixels dark, {lit} lit, {missed} see through");
+    println!("{dark} pixels dark, {lit} lit, {missed} without a hit");
     assert!(dark > 100_000);
-    assert_eq!([lit, missed], [0, 0], "lit, and seen through");
+    assert_eq!([lit, missed], [0, 0], "pixels lit and pixels without a hit");
 }
 
-/// The walls of a cube, one a line.
+/// Returns the six walls of a cube, one per line.
 fn walls(center: Triple, half: f64) -> String {
     let ends = center.map(|c| [c - half, c + half]);
     let wall = |axis: usize, side: usize| {

@@ -1,5 +1,5 @@
-//! A camera that moves: on a prepared or decoded scene it draws what preparing
-//! the scene anew would.
+//! `set_camera` and `orbited`: a prepared or decoded scene with a moved camera
+//! draws the picture of a scene prepared with that camera.
 
 #![allow(clippy::unwrap_used)]
 
@@ -23,8 +23,8 @@ fn distance(from: Vec3<Real>, to: Vec3<Real>) -> f64 {
     x.hypot(y).hypot(z)
 }
 
-/// Cameras between those of the scene and its light, which leave the scale as
-/// it is.
+/// Returns cameras close to the scene's own. The fixed-point scale of the prepared
+/// scene fits all of them.
 fn cameras(camera: Camera) -> impl Iterator<Item = Camera> {
     (1..=4).map(move |step| Camera {
         eye: Vec3 {
@@ -42,7 +42,7 @@ fn cameras(camera: Camera) -> impl Iterator<Item = Camera> {
 }
 
 #[test]
-fn a_moved_camera_draws_what_preparing_anew_draws() {
+fn set_camera_draws_same_picture_as_prepare() {
     let file = scene("whitted");
     let mut buffer = Box::new(scene_file::Buffer::new());
     let mut other = Box::new(scene_file::Buffer::new());
@@ -56,26 +56,26 @@ fn a_moved_camera_draws_what_preparing_anew_draws() {
     for camera in cameras(decoded.camera()) {
         moved.set_camera(&camera).unwrap();
         decoded.set_camera(&camera).unwrap();
-        let anew = whitted::Scene {
+        let prepared = whitted::Scene {
             camera,
             ..file.scene()
         };
-        let anew = draw(&other.prepare(&anew).unwrap());
-        assert!(anew != first);
-        assert!(draw(&moved) == anew);
-        assert!(draw(&decoded) == anew);
+        let prepared = draw(&other.prepare(&prepared).unwrap());
+        assert!(prepared != first);
+        assert!(draw(&moved) == prepared);
+        assert!(draw(&decoded) == prepared);
     }
     moved.set_camera(&file.scene().camera).unwrap();
     assert!(draw(&moved) == first);
 }
 
 #[test]
-fn a_moved_scene_can_be_encoded() {
+fn encode_after_set_camera() {
     let file = scene("whitted");
     let mut buffer = Box::new(scene_file::Buffer::new());
     let mut other = Box::new(scene_file::Buffer::new());
     let mut moved = file.prepare(&mut buffer).unwrap();
-    // Behind all that the scale was found for.
+    // Opposite to the camera with which the scene was prepared.
     let behind = file.scene().camera.orbited(Real::from(180), Real::from(30));
     moved.set_camera(&behind).unwrap();
     let mut bytes = vec![0; moved.encoded_len()];
@@ -85,9 +85,10 @@ fn a_moved_scene_can_be_encoded() {
     assert_eq!(decoded.camera(), behind);
 }
 
-/// Another scale, or none that differs by more than roundings.
+/// `prepare` may choose another fixed-point scale than the one that `set_camera`
+/// keeps. At most 3 pixels may then differ by more than 1/255.
 #[test]
-fn an_orbit_differs_from_preparing_anew_by_roundings_only() {
+fn orbit_matches_prepare_up_to_rounding() {
     for name in ["whitted", "every_surface", "sphereflake_3", "four_spheres"] {
         let file = scene(name);
         let mut buffer = Box::new(scene_file::Buffer::new());
@@ -96,32 +97,34 @@ fn an_orbit_differs_from_preparing_anew_by_roundings_only() {
         for yaw in (0..360).step_by(30) {
             let camera = file.scene().camera.orbited(yaw.into(), Real::ZERO);
             moved.set_camera(&camera).unwrap();
-            let anew = whitted::Scene {
+            let prepared = whitted::Scene {
                 camera,
                 ..file.scene()
             };
-            let (moved, anew) = (draw(&moved), draw(&other.prepare(&anew).unwrap()));
+            let (moved, prepared) = (draw(&moved), draw(&other.prepare(&prepared).unwrap()));
             let differ = |(a, b): &(&whitted::Color<u16>, &whitted::Color<u16>)| {
                 a.r.abs_diff(b.r)
                     .max(a.g.abs_diff(b.g))
                     .max(a.b.abs_diff(b.b))
                     > 257
             };
-            let pixels = moved.pixels.iter().zip(&anew.pixels);
+            let pixels = moved.pixels.iter().zip(&prepared.pixels);
             let differing = pixels.filter(differ).count();
             assert!(differing <= 3, "{name} at {yaw}: {differing} pixels");
         }
     }
 }
 
+/// Moves the eye away from `look_at`, by a multiple of their distance.
 fn outward(camera: Camera, by: Real) -> Vec3<Real> {
-    let way = camera.eye - camera.look_at;
-    camera.eye + Vec3::new(way.x * by, way.y * by, way.z * by)
+    let offset = camera.eye - camera.look_at;
+    camera.eye + Vec3::new(offset.x * by, offset.y * by, offset.z * by)
 }
 
-/// What a line passes over is met by no ray, from as far away as the eye may go.
+/// Scanline culling must not drop visible objects, even from the greatest distance
+/// that the prepared scene allows.
 #[test]
-fn a_line_has_the_colors_of_its_pixels_from_afar() {
+fn lines_match_pixels_at_any_distance() {
     let file = scene("every_surface");
     let mut buffer = Box::new(scene_file::Buffer::new());
     let mut moved = file.prepare(&mut buffer).unwrap();
@@ -146,7 +149,7 @@ fn a_line_has_the_colors_of_its_pixels_from_afar() {
 }
 
 #[test]
-fn a_camera_that_cannot_be_leaves_the_scene_as_it_was() {
+fn rejected_camera_leaves_scene_unchanged() {
     let file = scene("whitted");
     let mut buffer = Box::new(scene_file::Buffer::new());
     let mut moved = file.prepare(&mut buffer).unwrap();
@@ -196,7 +199,7 @@ fn a_camera_that_cannot_be_leaves_the_scene_as_it_was() {
 }
 
 #[test]
-fn an_orbit_keeps_the_distance() {
+fn orbit_keeps_distance() {
     let start = Camera::new(
         Vec3::lit("0.2", "2.3", "8.2"),
         Vec3::lit("0.12", "1.22", "0"),
@@ -206,15 +209,18 @@ fn an_orbit_keeps_the_distance() {
     let mut camera = start;
     for step in 0..720 {
         camera = camera.orbited(Real::ONE, Real::from(step % 3 - 1));
-        let off = (distance(camera.eye, camera.look_at) / radius - 1.0).abs();
-        assert!(off < f64::from(step + 1) * 2_f64.powi(-28), "{step}: {off}");
+        let error = (distance(camera.eye, camera.look_at) / radius - 1.0).abs();
+        assert!(
+            error < f64::from(step + 1) * 2_f64.powi(-28),
+            "{step}: {error}"
+        );
     }
     assert_eq!(start.orbited(Real::ZERO, Real::ZERO), start);
     assert_eq!(start.orbited(Real::from(720), Real::ZERO), start);
 }
 
 #[test]
-fn an_orbit_stops_short_of_the_poles() {
+fn orbit_stops_at_89_degrees_elevation() {
     let start = Camera {
         up: Vec3::lit("0.1", "3", "0.2"),
         ..Camera::new(
@@ -224,8 +230,8 @@ fn an_orbit_stops_short_of_the_poles() {
         )
     };
     let elevation = |camera: Camera| {
-        let way = camera.eye - camera.look_at;
-        let [x, y, z] = [way.x, way.y, way.z].map(|c| c.to_num::<f64>());
+        let offset = camera.eye - camera.look_at;
+        let [x, y, z] = [offset.x, offset.y, offset.z].map(|c| c.to_num::<f64>());
         let along = (0.1 * x + 3.0 * y + 0.2 * z) / (0.01_f64 + 9.0 + 0.04).sqrt();
         (along / distance(camera.eye, camera.look_at))
             .asin()
@@ -233,11 +239,14 @@ fn an_orbit_stops_short_of_the_poles() {
     };
     let level = elevation(start);
     for pitch in -400..400_i32 {
-        let right = (level + f64::from(pitch)).clamp(-89.0, 89.0);
+        let expected = (level + f64::from(pitch)).clamp(-89.0, 89.0);
         let got = elevation(start.orbited(Real::from(25), Real::from(pitch)));
-        assert!((got - right).abs() < 0.12, "{pitch}: {got}, not {right}");
+        assert!(
+            (got - expected).abs() < 0.12,
+            "{pitch}: {got}, expected {expected}"
+        );
     }
-    // The picture there is one still, and the way back is open.
+    // At the limit the camera is still valid, and can turn back.
     let mut top = start.orbited(Real::ZERO, Real::from(100));
     for _ in 0..10 {
         top = top.orbited(Real::ZERO, Real::from(10));
@@ -253,7 +262,7 @@ fn an_orbit_stops_short_of_the_poles() {
 }
 
 #[test]
-fn what_cannot_orbit_stays() {
+fn orbit_of_degenerate_camera_changes_nothing() {
     let above = Camera::new(
         Vec3::lit("0", "5", "0"),
         Vec3::lit("0", "1", "0"),
@@ -261,15 +270,16 @@ fn what_cannot_orbit_stays() {
     );
     let (yaw, pitch) = (Real::from(40), Real::from(20));
     assert_eq!(above.orbited(yaw, pitch), above);
-    let nowhere = Camera {
+    let degenerate = Camera {
         look_at: above.eye,
         ..above
     };
-    assert_eq!(nowhere.orbited(yaw, pitch), nowhere);
-    let endless = Camera {
+    assert_eq!(degenerate.orbited(yaw, pitch), degenerate);
+    // Coordinates at the ends of their range must not overflow.
+    let extreme = Camera {
         eye: Vec3::new(Real::MAX, Real::MIN, Real::MAX),
         look_at: Vec3::new(Real::MIN, Real::MAX, Real::MIN),
         ..above
     };
-    let _ = endless.orbited(Real::MAX, Real::MIN);
+    let _ = extreme.orbited(Real::MAX, Real::MIN);
 }
