@@ -1,4 +1,4 @@
-//! What a scene file means.
+//! Reads scene files into scenes.
 
 use std::error::Error;
 
@@ -69,7 +69,7 @@ fn color(r: &str, g: &str, b: &str) -> Color<Real> {
 }
 
 #[test]
-fn every_key_is_read() -> Result<(), Box<dyn Error>> {
+fn reads_every_key() -> Result<(), Box<dyn Error>> {
     let file = scene_file::parse("full.toml", FULL)?;
     let scene = file.scene();
     assert_eq!(file.title.as_deref(), Some("All keys"));
@@ -95,7 +95,7 @@ fn every_key_is_read() -> Result<(), Box<dyn Error>> {
 }
 
 #[test]
-fn materials_are_numbered_in_the_files_order() -> Result<(), Box<dyn Error>> {
+fn numbers_materials_in_the_order_of_the_file() -> Result<(), Box<dyn Error>> {
     let file = scene_file::parse("full.toml", FULL)?;
     assert_eq!(file.material_names, ["second-by-letter", "first-by-letter"]);
     let [clear, mixed] = file.materials[..] else {
@@ -120,7 +120,7 @@ fn materials_are_numbered_in_the_files_order() -> Result<(), Box<dyn Error>> {
 }
 
 #[test]
-fn objects_keep_their_order() -> Result<(), Box<dyn Error>> {
+fn keeps_the_order_of_objects() -> Result<(), Box<dyn Error>> {
     let file = scene_file::parse("full.toml", FULL)?;
     let [floor, ball] = file.objects[..] else {
         return Err("two objects".into());
@@ -219,7 +219,7 @@ material = "a"
 "#;
 
 #[test]
-fn every_shape_is_read() -> Result<(), Box<dyn Error>> {
+fn reads_every_shape() -> Result<(), Box<dyn Error>> {
     let at = Vec3::lit("1", "2", "3");
     let [four, five, six, seven] = ["4", "5", "6", "7"].map(real);
     let flake = |ratio, frame| Shape::Sphereflake {
@@ -259,7 +259,7 @@ fn every_shape_is_read() -> Result<(), Box<dyn Error>> {
             y: [four, five],
         },
         flake(Shape::FLAKE_RATIO, Shape::FLAKE_FRAME),
-        // As it is written, which is not a third.
+        // The written ratio is kept; it differs from 1/3.
         flake(real("0.333333333"), turned),
     ];
     let file = scene_file::parse("shapes.toml", SHAPES)?;
@@ -268,9 +268,9 @@ fn every_shape_is_read() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Whatever the library finds wrong with a shape is led back to its line.
+/// Errors of the library about a shape's field get the line of its key.
 #[test]
-fn every_field_of_a_shape_has_its_line() -> Result<(), Box<dyn Error>> {
+fn finds_the_line_of_every_field_of_a_shape() -> Result<(), Box<dyn Error>> {
     let file = scene_file::parse("shapes.toml", SHAPES)?;
     let range = SceneProblem::OutOfRange {
         least: real("0"),
@@ -281,7 +281,7 @@ fn every_field_of_a_shape_has_its_line() -> Result<(), Box<dyn Error>> {
         (0, "radii", range, 10, "must be from 0 to 1, not [4, 5, 6]"),
         (1, "origin", range, 15, "must be from 0 to 1, not [1, 2, 3]"),
         (1, "radius", range, 16, "must be from 0 to 1, not 4"),
-        // Left to its default: the line is that of the object.
+        // A key left to its default has the line of the object.
         (1, "y", range, 13, "must be from 0 to 1"),
         (
             2,
@@ -325,7 +325,7 @@ fn every_field_of_a_shape_has_its_line() -> Result<(), Box<dyn Error>> {
 }
 
 #[test]
-fn a_camera_is_enough() -> Result<(), Box<dyn Error>> {
+fn only_the_camera_is_required() -> Result<(), Box<dyn Error>> {
     let file = scene_file::parse("least.toml", CAMERA)?;
     let scene = file.scene();
     let default = whitted::Scene::new(scene.camera);
@@ -334,7 +334,7 @@ fn a_camera_is_enough() -> Result<(), Box<dyn Error>> {
 }
 
 #[test]
-fn decimals_are_rounded_to_nearest() -> Result<(), Box<dyn Error>> {
+fn rounds_decimals_to_nearest() -> Result<(), Box<dyn Error>> {
     for decimal in [
         "0.1",
         "-0.3",
@@ -350,7 +350,7 @@ fn decimals_are_rounded_to_nearest() -> Result<(), Box<dyn Error>> {
 }
 
 #[test]
-fn names_are_recognized() {
+fn suggests_names_for_misspelled_ones() {
     let names = ["sphere", "plane", "blinn-phong", "kd"];
     assert_eq!(nearest("shpere", names), Some("sphere"));
     assert_eq!(nearest("Plane", names), Some("plane"));
