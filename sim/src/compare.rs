@@ -1,26 +1,26 @@
-//! How like two pictures are.
+//! Compares pictures: PSNR, and the share of pixels that differ by at most 1/255.
 
 use std::error::Error;
 use std::fmt;
 
 use crate::picture::Picture;
 
-/// One step of 8 bits, in steps of 16: 65535 / 255.
+/// One 8-bit step in 16-bit units: 65535 / 255.
 const STEP: u16 = 257;
 
-/// How like two pictures are, over the samples as they stand.
+/// Difference between two pictures, computed on their samples without gamma correction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Comparison {
-    /// In decibels, over all pixels and channels; infinite for equal pictures.
+    /// Peak signal-to-noise ratio in decibels, over all pixels and channels; infinite for equal
+    /// pictures.
     pub psnr: f64,
-    /// The share, 0 to 1, of pixels in which no channel differs by more than
-    /// 1/255.
+    /// Share of the pixels, 0 to 1, in which no channel differs by more than 1/255.
     pub within: f64,
 }
 
-/// Compares two pictures of one size.
+/// Compares two pictures of the same size.
 ///
-/// Samples are scaled to 0..255 as real numbers; the PSNR is
+/// Samples are scaled to 0..255 without rounding; the PSNR is
 /// 10·log10(255² / mean squared error).
 pub fn compare(a: &Picture, b: &Picture) -> Result<Comparison, SizesDiffer> {
     let sizes = [(a.width, a.height), (b.width, b.height)];
@@ -61,14 +61,18 @@ impl fmt::Display for Comparison {
     }
 }
 
-/// Width and height of two pictures that cannot be compared.
+/// Error: the pictures have different sizes, given as width and height.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SizesDiffer(pub [(u32, u32); 2]);
 
 impl fmt::Display for SizesDiffer {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [a, b] = self.0;
-        write!(f, "the sizes differ: {}x{} and {}x{}", a.0, a.1, b.0, b.1)
+        write!(
+            f,
+            "the sizes differ: {}x{} and {}x{}; compare pictures of the same size",
+            a.0, a.1, b.0, b.1
+        )
     }
 }
 

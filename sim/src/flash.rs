@@ -1,7 +1,7 @@
-//! Scenes into flash: what build scripts of firmware do.
+//! Compiles scenes for firmware, in build scripts.
 //!
-//! A scene is a file, relative to the folder that is given, and that to the
-//! package. A file that is not TOML is taken for a compiled scene.
+//! Scene files are named relative to a folder, and the folder relative to the package. A file
+//! whose name does not end in `.toml` is included as it is, as an already compiled scene.
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -9,20 +9,18 @@ use std::{env, fs};
 
 use crate::scene_file;
 
-/// Compiles a scene to `scene.bin` in Cargo's `OUT_DIR`, from where firmware
-/// includes it:
+/// Compiles a scene to `scene.bin` in Cargo's `OUT_DIR`, which firmware includes:
 ///
 /// ```ignore
 /// static SCENE: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/scene.bin"));
 /// ```
 ///
-/// It is the scene that the environment variable `SCENE` names, else `default`.
+/// The environment variable `SCENE` names the scene; without it, `default` does.
 ///
 /// # Errors
-/// What is wrong with the scene, and in which line; or a file that cannot be
-/// read or written.
+/// The line and key of an error in the scene, or the file that cannot be read or written.
 pub fn scene(folder: &str, default: &str) -> Result<(), String> {
-    let name = named().unwrap_or_else(|| default.into());
+    let name = scene_variable().unwrap_or_else(|| default.into());
     write("scene.bin", &compiled(&Path::new(folder).join(name))?)
 }
 
@@ -32,16 +30,16 @@ pub fn scene(folder: &str, default: &str) -> Result<(), String> {
 /// include!(concat!(env!("OUT_DIR"), "/scenes.rs"));
 /// ```
 ///
-/// It has `static SCENES: [&[u8]; N]`, and `const COUNTS: [usize; 3]`, the most objects,
-/// lights and materials that one of them has.
+/// The file defines `static SCENES: [&[u8]; N]` and `const COUNTS: SceneCounts`, the largest
+/// number of items of each kind in any of the scenes.
 ///
-/// They are those that the environment variable `SCENE` names, separated as in
-/// `PATH`, else the defaults.
+/// The environment variable `SCENE` names the scenes, separated as in `PATH`; without it,
+/// `defaults` does.
 ///
 /// # Errors
-/// As [`scene`].
+/// The line and key of an error in a scene, or the file that cannot be read or written.
 pub fn scenes(folder: &str, defaults: &[&str]) -> Result<(), String> {
-    let files: Vec<PathBuf> = match named() {
+    let files: Vec<PathBuf> = match scene_variable() {
         Some(list) => env::split_paths(&list).collect(),
         None => defaults.iter().map(PathBuf::from).collect(),
     };
@@ -59,8 +57,8 @@ const COUNTS: whitted::scene::SceneCounts = whitted::scene::SceneCounts::of_all(
     write("scenes.rs", text.as_bytes())
 }
 
-/// What `SCENE` says.
-fn named() -> Option<std::ffi::OsString> {
+/// Returns the environment variable `SCENE`.
+fn scene_variable() -> Option<std::ffi::OsString> {
     println!("cargo::rerun-if-env-changed=SCENE");
     env::var_os("SCENE")
 }
@@ -71,12 +69,15 @@ fn compiled(scene: &Path) -> Result<Vec<u8>, String> {
         Some(extension) if extension == "toml" => {
             scene_file::compile(scene).map_err(|error| error.to_string())
         }
-        _ => fs::read(scene).map_err(|error| format!("{}: {error}", scene.display())),
+        _ => {
+            fs::read(scene).map_err(|error| format!("{}: cannot be read: {error}", scene.display()))
+        }
     }
 }
 
-/// Into Cargo's directory for what build scripts write.
+/// Writes a file to Cargo's output directory of the build script.
 fn write(name: &str, bytes: &[u8]) -> Result<(), String> {
-    let out = env::var_os("OUT_DIR").ok_or("OUT_DIR is not set: this is for build scripts")?;
-    fs::write(PathBuf::from(out).join(name), bytes).map_err(|error| format!("{name}: {error}"))
+    let out = env::var_os("OUT_DIR").ok_or("OUT_DIR is not set: call this from a build script")?;
+    fs::write(PathBuf::from(out).join(name), bytes)
+        .map_err(|error| format!("{name}: cannot be written: {error}"))
 }

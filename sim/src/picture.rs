@@ -1,14 +1,14 @@
-//! A picture in memory.
+//! Pictures in memory.
 
 use whitted::Color;
 
-/// Pixels of 16 bits a channel, row by row from the top.
+/// A picture with 16 bits per channel.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Picture {
-    /// Pixels in a row.
+    /// Width in pixels.
     pub width: u32,
-    /// Rows.
+    /// Height in pixels.
     pub height: u32,
-    /// `width * height` of them; full scale is 65535.
+    /// `width * height` pixels, row by row from the top; full scale is 65535.
     pub pixels: Vec<Color<u16>>,
 }

@@ -1,4 +1,4 @@
-//! PNG files of pictures: written as 16-bit linear RGB, read from any RGB or gray.
+//! Writes PNG files as 16-bit linear RGB, and reads RGB and gray ones.
 
 use std::error::Error;
 use std::fmt;
@@ -11,7 +11,7 @@ use whitted::Color;
 
 use crate::picture::Picture;
 
-/// Writes a 16-bit RGB PNG with gAMA 1.0: samples are linear light.
+/// Writes a 16-bit RGB PNG. Its gAMA chunk is 1.0, since the samples are linear.
 pub fn write(path: impl AsRef<Path>, picture: &Picture) -> Result<(), PngError> {
     let path = path.as_ref();
     let file = File::create(path).map_err(|error| PngError::new(path, error))?;
@@ -34,8 +34,9 @@ fn encode(file: BufWriter<File>, picture: &Picture) -> Result<(), png::EncodingE
     writer.finish()
 }
 
-/// Reads a PNG, gray or RGB, of up to 16 bits: 8-bit samples are widened,
-/// transparency is left out, gamma is not applied.
+/// Reads a gray or RGB PNG of up to 16 bits per channel.
+///
+/// 8-bit samples are scaled to 16 bits. Transparency is dropped, and gamma is not applied.
 pub fn read(path: impl AsRef<Path>) -> Result<Picture, PngError> {
     let path = path.as_ref();
     let file = File::open(path).map_err(|error| PngError::new(path, error))?;
@@ -44,7 +45,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<Picture, PngError> {
 
 fn decode(file: BufReader<File>) -> Result<Picture, png::DecodingError> {
     let mut decoder = png::Decoder::new(file);
-    // Palettes to RGB, less than 8 bits to 8.
+    // Expands palettes to RGB, and fewer than 8 bits to 8.
     decoder.set_transformations(Transformations::EXPAND);
     let mut reader = decoder.read_info()?;
     let size = reader.output_buffer_size();
@@ -73,7 +74,7 @@ fn decode(file: BufReader<File>) -> Result<Picture, png::DecodingError> {
     })
 }
 
-/// Why a PNG could not be read or written.
+/// Error while reading or writing a PNG, with the file's path.
 #[derive(Debug)]
 pub struct PngError {
     path: String,

@@ -1,4 +1,4 @@
-//! Rendering to a [`Picture`] of linear light.
+//! Renders scenes to a [`Picture`] of linear colors.
 
 use embedded_graphics_core::geometry::Size;
 use whitted::codec::Crc32;
@@ -7,24 +7,27 @@ use whitted::{Color, PreparedScene, Renderer};
 
 use crate::picture::Picture;
 
-/// Renders a scene to linear 16-bit samples.
+/// Renders a scene with 16-bit linear samples.
 pub fn linear(scene: &PreparedScene<'_>, size: Size) -> Picture {
     trace(&mut Renderer::new(scene, size), |_| {})
 }
 
-/// Renders line by line, telling each line that is done.
-pub fn trace<O: Observer>(renderer: &mut Renderer<'_, O>, mut done: impl FnMut(u32)) -> Picture {
+/// Renders all lines with a renderer. Calls `line_done` with the number of each finished line.
+pub fn trace<O: Observer>(
+    renderer: &mut Renderer<'_, O>,
+    mut line_done: impl FnMut(u32),
+) -> Picture {
     lines(renderer.size(), |y, line| {
         renderer.render_line(y, line);
-        done(y);
+        line_done(y);
     })
 }
 
-/// A picture whose lines are rendered one by one, by their numbers.
+/// Assembles a picture from lines; `render` fills the line of the given number.
 pub fn lines(size: Size, mut render: impl FnMut(u32, &mut [Color<u16>])) -> Picture {
     let Size { width, height } = size;
     let mut pixels = vec![Color::<u16>::default(); width as usize * height as usize];
-    // Zero is no chunk size; a picture without columns has no pixels anyway.
+    // `chunks_exact_mut` panics on a size of 0; a picture without columns has no pixels.
     for (y, line) in (0..height).zip(pixels.chunks_exact_mut(width.max(1) as usize)) {
         render(y, line);
     }
@@ -35,9 +38,9 @@ pub fn lines(size: Size, mut render: impl FnMut(u32, &mut [Color<u16>])) -> Pict
     }
 }
 
-/// The CRC-32 of a picture's samples: red, green, blue, each big-endian.
+/// Returns the CRC-32 of a picture's samples: red, green, blue, each big-endian.
 ///
-/// Every target gives the same picture of a scene, and so the same checksum.
+/// All targets render the same bits, so a scene has the same checksum on each of them.
 pub fn checksum(picture: &Picture) -> u32 {
     let mut crc = Crc32::new();
     for pixel in &picture.pixels {

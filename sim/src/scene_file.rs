@@ -1,36 +1,45 @@
-//! Scene files: TOML in, [`whitted::Scene`] out.
+//! Reads scene files (TOML) into a [`whitted::Scene`].
 //!
-//! Reading checks the form: keys, types, names. Values are checked where a
-//! scene is prepared; [`SceneFile::prepare`] and [`SceneFile::explain`] lead
-//! that error back to its line. The file is walked as a `DeTable`, whose spans
-//! give each error a line, which serde's tagged enums would lose.
+//! The reader checks keys, types and names. Values are checked when the scene is prepared;
+//! [`SceneFile::explain`] finds the line and key of a value that the library rejects. The
+//! format is documented in `docs/scenes.md`.
+//!
+//! The reader walks a `DeTable`, which keeps the position of each value. Tagged enums of serde
+//! would lose it, and with it the line numbers of errors.
 
 mod animation;
 mod error;
 mod example;
 mod explain;
+mod explain_animation;
 mod file;
-mod keys;
+mod file_animation;
 mod light;
 mod material;
-mod motion;
 mod name;
-mod nearest;
 mod object;
 mod outline;
+mod prepare;
 mod read;
+mod schema;
 mod shape;
+mod shape_reader;
 mod source;
+mod suggest;
+mod table;
 mod target;
 mod texture;
 mod value;
 
 use std::path::Path;
 
+use whitted::PreparedScene;
+
 pub use error::LoadError;
-pub use file::{Buffer, SceneFile};
-pub use motion::{Motion, Stage};
-pub use nearest::nearest;
+pub use file::{AnimatedScene, Buffer, SceneFile};
+pub use file_animation::FileAnimation;
+pub use schema::TableSchema;
+pub use suggest::nearest;
 
 /// Reads a scene file.
 pub fn load(path: impl AsRef<Path>) -> Result<SceneFile, LoadError> {
@@ -41,7 +50,7 @@ pub fn load(path: impl AsRef<Path>) -> Result<SceneFile, LoadError> {
     parse(&name, &text)
 }
 
-/// Reads a scene file's text; errors call the file `name`.
+/// Reads the text of a scene file. `name` is the file name in error messages.
 pub fn parse(name: &str, text: &str) -> Result<SceneFile, LoadError> {
     read::scene_file(&source::Source { name, text })
 }
@@ -50,9 +59,27 @@ pub fn parse(name: &str, text: &str) -> Result<SceneFile, LoadError> {
 pub fn compile(path: impl AsRef<Path>) -> Result<Vec<u8>, LoadError> {
     let file = load(path)?;
     let mut buffer = Box::new(Buffer::new());
-    let prepared = file.prepare(&mut buffer)?;
-    let mut bytes = vec![0; prepared.encoded_len()];
-    let length = prepared.encode(&mut bytes).unwrap_or_default();
+    Ok(encode(&file.prepare(&mut buffer)?))
+}
+
+/// Encodes a prepared scene for [`whitted::SceneBuffer::decode`].
+pub fn encode(scene: &PreparedScene<'_>) -> Vec<u8> {
+    let mut bytes = vec![0; scene.encoded_len()];
+    let length = scene.encode(&mut bytes).unwrap_or_default();
     bytes.truncate(length);
-    Ok(bytes)
+    bytes
+}
+
+/// Returns the keys that the reader accepts, by table.
+///
+/// A type of object accepts its own keys and those of the table "an object".
+pub fn tables() -> Vec<TableSchema> {
+    use schema::{
+        ANIMATION, BACKGROUND, BOUNDS, CAMERA, CHECKER, LIGHT, MATERIAL, OBJECT, SCENE, TRACK,
+    };
+    let mut tables = vec![
+        SCENE, CAMERA, BACKGROUND, LIGHT, MATERIAL, OBJECT, CHECKER, BOUNDS, ANIMATION, TRACK,
+    ];
+    tables.extend(shape::SHAPES.map(|shape| shape.schema));
+    tables
 }

@@ -1,12 +1,12 @@
-//! What `[animation]` means.
+//! Reads and applies the table `[animation]`.
 
 use std::error::Error;
 
 use whitted::scene::{SceneItem, SceneProblem};
 use whitted::{Color, Light, MaterialId, Object, Real, SceneError, Vec3};
-use whitted_sim::scene_file::{self, Stage};
+use whitted_sim::scene_file::{self, AnimatedScene};
 
-const STILL: &str = r#"
+const SCENE: &str = r#"
 [camera]
 eye = [0, 1, 8]
 look_at = [0, 1, 0]
@@ -27,7 +27,7 @@ radius = 1
 material = "red"
 "#;
 
-const MOTION: &str = r#"
+const ANIMATION: &str = r#"
 [animation]
 duration = 2
 loop = false
@@ -59,66 +59,66 @@ keys = [[0, [1, 1, 1]], [2, [1, 0, 0.5]]]
 "#;
 
 #[test]
-fn tracks_move_what_they_name() -> Result<(), Box<dyn Error>> {
-    let file = scene_file::parse("moving.toml", &[STILL, MOTION].concat())?;
-    let mut stage = Box::new(Stage::new());
-    let frame = file.frame(&mut stage, Real::ONE)?;
+fn applies_every_kind_of_target() -> Result<(), Box<dyn Error>> {
+    let file = scene_file::parse("moving.toml", &[SCENE, ANIMATION].concat())?;
+    let mut buffer = Box::new(AnimatedScene::new());
+    let frame = file.frame(&mut buffer, Real::ONE)?;
     assert_eq!(frame.camera.eye, Vec3::lit("8", "1", "0"));
     assert_eq!(frame.camera.fovy_deg, 30);
     let (ball, red) = (Vec3::lit("0", "3", "0"), MaterialId(0));
     assert_eq!(frame.objects, [Object::sphere(ball, Real::lit("0.5"), red)]);
     let (sun, color) = (Vec3::lit("2", "9", "0"), Color::lit("1", "0.5", "0.75"));
     assert_eq!(frame.lights, [Light::point(sun, color)]);
-    // It ends, and stays.
-    let frame = file.frame(&mut stage, Real::from(3))?;
+    // After its duration, the animation keeps its last values.
+    let frame = file.frame(&mut buffer, Real::from(3))?;
     assert_eq!(frame.camera.eye, Vec3::lit("0", "1", "-8"));
     Ok(())
 }
 
 #[test]
-fn it_loops_unless_told_otherwise() -> Result<(), Box<dyn Error>> {
-    let motion = MOTION.replace("loop = false", "");
-    let file = scene_file::parse("looping.toml", &[STILL, &motion].concat())?;
-    let mut stage = Box::new(Stage::new());
-    let frame = file.frame(&mut stage, Real::from(3))?;
+fn loops_by_default() -> Result<(), Box<dyn Error>> {
+    let looping = ANIMATION.replace("loop = false", "");
+    let file = scene_file::parse("looping.toml", &[SCENE, &looping].concat())?;
+    let mut buffer = Box::new(AnimatedScene::new());
+    let frame = file.frame(&mut buffer, Real::from(3))?;
     assert_eq!(frame.camera.eye, Vec3::lit("8", "1", "0"));
     Ok(())
 }
 
 #[test]
-fn without_it_all_is_still() -> Result<(), Box<dyn Error>> {
-    let file = scene_file::parse("still.toml", STILL)?;
+fn scene_without_animation_does_not_change() -> Result<(), Box<dyn Error>> {
+    let file = scene_file::parse("still.toml", SCENE)?;
     assert!(file.animation.is_none());
-    let mut stage = Box::new(Stage::new());
-    let frame = file.frame(&mut stage, Real::ONE)?;
+    let mut buffer = Box::new(AnimatedScene::new());
+    let frame = file.frame(&mut buffer, Real::ONE)?;
     assert_eq!(frame.objects, file.objects);
     assert_eq!(frame.camera, file.settings.camera);
     Ok(())
 }
 
-/// The radius vanishes at the end.
+/// The ball's radius is 0 in the last frame.
 #[test]
-fn an_impossible_frame_is_led_back_to_its_track() -> Result<(), Box<dyn Error>> {
-    let file = scene_file::parse("moving.toml", &[STILL, MOTION].concat())?;
-    let mut stage = Box::new(Stage::new());
+fn errors_in_a_frame_name_the_track() -> Result<(), Box<dyn Error>> {
+    let file = scene_file::parse("moving.toml", &[SCENE, ANIMATION].concat())?;
+    let mut animated = Box::new(AnimatedScene::new());
     let mut buffer = Box::new(scene_file::Buffer::new());
     let end = Real::from(2);
-    let frame = file.frame(&mut stage, end)?;
+    let frame = file.frame(&mut animated, end)?;
     let error = buffer.prepare(&frame).err().ok_or("an error")?;
-    let said = file.explain_frame(error, end).to_string();
+    let message = file.explain_frame(error, end).to_string();
     let expected = "moving.toml:40: animation.tracks[3].keys: at 2.000 s, radius must be from ";
-    assert!(said.starts_with(expected), "{said}");
+    assert!(message.starts_with(expected), "{message}");
 
-    let still = SceneError {
+    let error = SceneError {
         item: SceneItem::Camera,
         field: "up",
         problem: SceneProblem::NoDirection,
     };
-    let file = scene_file::parse("moving.toml", STILL)?;
-    let said = file.explain_frame(still, end).to_string();
+    let file = scene_file::parse("moving.toml", SCENE)?;
+    let message = file.explain_frame(error, end).to_string();
     assert!(
-        said.starts_with("moving.toml:2: camera.up: at 2.000 s, must not be zero\n"),
-        "{said}"
+        message.starts_with("moving.toml:2: camera.up: at 2.000 s, must not be zero\n"),
+        "{message}"
     );
     Ok(())
 }

@@ -1,8 +1,8 @@
-//! What is said about bad scene files, word for word.
+//! Checks the error messages for invalid scene files, word for word.
 //!
-//! `bad_scenes/*.txt` are lists of cases: a scene file, `---`, the message;
-//! `===` between two. A file without a camera gets one at its end; a track's target
-//! is none.
+//! Each file `bad_scenes/*.txt` is a list of cases, separated by `===`. A case is a scene file,
+//! `---`, and the expected message. The test appends a camera to scenes without one, unless
+//! the scene only mentions the camera as an animation target.
 
 use std::error::Error;
 
@@ -15,13 +15,14 @@ look_at = [0, 1, 0]
 fovy_deg = 33
 ";
 
+/// Returns the error message for a scene.
 fn message(scene: &str) -> String {
     let text = match scene.replace("\"camera.", "").contains("camera") {
         true => scene.to_owned(),
         false => format!("{scene}{CAMERA}"),
     };
     match load(&text) {
-        Ok(()) => "fine".to_owned(),
+        Ok(()) => "no error".to_owned(),
         Err(error) => error.to_string(),
     }
 }
@@ -41,51 +42,51 @@ fn check(cases: &str) -> Result<(), Box<dyn Error>> {
 }
 
 #[test]
-fn keys() -> Result<(), Box<dyn Error>> {
+fn unknown_and_missing_keys() -> Result<(), Box<dyn Error>> {
     check(include_str!("bad_scenes/keys.txt"))
 }
 
 #[test]
-fn types() -> Result<(), Box<dyn Error>> {
+fn wrong_types() -> Result<(), Box<dyn Error>> {
     check(include_str!("bad_scenes/types.txt"))
 }
 
-/// The keys of each type of object but the simplest.
 #[test]
-fn shapes() -> Result<(), Box<dyn Error>> {
+fn keys_of_each_type_of_object() -> Result<(), Box<dyn Error>> {
     check(include_str!("bad_scenes/shapes.txt"))
 }
 
 #[test]
-fn numbers() -> Result<(), Box<dyn Error>> {
+fn unrepresentable_numbers() -> Result<(), Box<dyn Error>> {
     check(include_str!("bad_scenes/numbers.txt"))
 }
 
 #[test]
-fn syntax() -> Result<(), Box<dyn Error>> {
+fn syntax_errors() -> Result<(), Box<dyn Error>> {
     check(include_str!("bad_scenes/syntax.txt"))
 }
 
 #[test]
-fn camera() -> Result<(), Box<dyn Error>> {
+fn camera_errors() -> Result<(), Box<dyn Error>> {
     check(include_str!("bad_scenes/camera.txt"))
 }
 
 #[test]
-fn animation() -> Result<(), Box<dyn Error>> {
+fn animation_errors() -> Result<(), Box<dyn Error>> {
     check(include_str!("bad_scenes/animation.txt"))
 }
 
-/// Found where the scene is prepared, and led back to its line.
+/// The library rejects these values; the simulator finds their lines.
 #[test]
-fn values() -> Result<(), Box<dyn Error>> {
+fn values_out_of_range() -> Result<(), Box<dyn Error>> {
     check(include_str!("bad_scenes/values.txt"))
 }
 
-/// A list without bound would fill the file of cases.
+/// Generates its scene, which would be too long for a file of cases.
 #[test]
-fn more_than_there_is_room_for() {
+fn more_lights_than_the_buffer_holds() {
     let light = "[[lights]]\nposition = [0, 0, 0]\ncolor = [1, 1, 1]\n";
-    let expected = "bad.toml:1: lights: exceed the buffer's capacity of 16\n  help: leave some out";
+    let expected =
+        "bad.toml:1: lights: exceed the buffer's capacity of 16\n  help: remove some of them";
     assert_eq!(message(&light.repeat(17)), expected);
 }

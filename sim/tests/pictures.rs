@@ -1,4 +1,4 @@
-//! PNG files and comparing pictures.
+//! PNG files, and the comparison of pictures.
 
 use std::error::Error;
 use std::fs::File;
@@ -26,7 +26,7 @@ fn file(name: &str) -> PathBuf {
     Path::new(env!("CARGO_TARGET_TMPDIR")).join(name)
 }
 
-/// Writes a PNG of a form that the library itself does not write.
+/// Writes a 2x1 PNG in a format that the library only reads.
 fn write(
     path: &Path,
     (color, depth): (png::ColorType, png::BitDepth),
@@ -39,7 +39,7 @@ fn write(
 }
 
 #[test]
-fn a_picture_survives_its_file() -> Result<(), Box<dyn Error>> {
+fn reads_back_what_it_writes() -> Result<(), Box<dyn Error>> {
     let path = file("round_trip.png");
     let pixels = vec![Color::new(0, 1, 65535), Color::new(256, 255, 32768)];
     let picture = Picture {
@@ -53,7 +53,7 @@ fn a_picture_survives_its_file() -> Result<(), Box<dyn Error>> {
 }
 
 #[test]
-fn a_written_picture_is_linear() -> Result<(), Box<dyn Error>> {
+fn writes_a_gamma_of_one() -> Result<(), Box<dyn Error>> {
     let path = file("gamma.png");
     png16::write(&path, &picture(1, 1, &[0]))?;
     let reader = png::Decoder::new(std::io::BufReader::new(File::open(path)?)).read_info()?;
@@ -63,7 +63,7 @@ fn a_written_picture_is_linear() -> Result<(), Box<dyn Error>> {
 }
 
 #[test]
-fn gray_and_eight_bits_are_read() -> Result<(), Box<dyn Error>> {
+fn reads_gray_and_8_bit_files() -> Result<(), Box<dyn Error>> {
     use png::{BitDepth, ColorType};
     let path = file("forms.png");
     let grays = picture(2, 1, &[0x1111, 0xffff]);
@@ -91,7 +91,7 @@ fn gray_and_eight_bits_are_read() -> Result<(), Box<dyn Error>> {
 }
 
 #[test]
-fn an_unreadable_file_is_named() -> Result<(), Box<dyn Error>> {
+fn errors_name_the_file() -> Result<(), Box<dyn Error>> {
     let path = file("text.png");
     std::fs::write(&path, "text")?;
     for path in [path, file("missing.png")] {
@@ -105,24 +105,24 @@ fn an_unreadable_file_is_named() -> Result<(), Box<dyn Error>> {
 }
 
 #[test]
-fn equal_pictures_differ_infinitely_little() -> Result<(), Box<dyn Error>> {
+fn equal_pictures_have_infinite_psnr() -> Result<(), Box<dyn Error>> {
     let comparison = compare(&picture(2, 1, &[0, 9]), &picture(2, 1, &[0, 9]))?;
     assert_eq!((comparison.psnr, comparison.within), (f64::INFINITY, 1.0));
     Ok(())
 }
 
 #[test]
-fn black_and_white_differ_by_all() -> Result<(), Box<dyn Error>> {
+fn black_and_white_have_a_psnr_of_zero() -> Result<(), Box<dyn Error>> {
     let comparison = compare(&picture(1, 1, &[0]), &picture(1, 1, &[65535]))?;
     assert_eq!((comparison.psnr, comparison.within), (0.0, 0.0));
     Ok(())
 }
 
 #[test]
-fn one_step_of_eight_bits_is_within() -> Result<(), Box<dyn Error>> {
+fn one_8_bit_step_counts_as_within() -> Result<(), Box<dyn Error>> {
     let comparison = compare(&picture(2, 1, &[0, 0]), &picture(2, 1, &[257, 258]))?;
     assert_eq!(comparison.within, 0.5);
-    // Mean squared error 1, but for the second pixel's 1/257.
+    // The mean squared error is 1, plus a small part from the second pixel's extra 1/257.
     assert!((comparison.psnr - 48.114).abs() < 0.001, "{comparison}");
     assert_eq!(
         comparison.to_string(),
@@ -132,7 +132,7 @@ fn one_step_of_eight_bits_is_within() -> Result<(), Box<dyn Error>> {
 }
 
 #[test]
-fn one_channel_decides_about_a_pixel() -> Result<(), Box<dyn Error>> {
+fn one_differing_channel_makes_the_pixel_differ() -> Result<(), Box<dyn Error>> {
     let mut other = picture(1, 1, &[0]);
     other.pixels[0].g = 300;
     assert_eq!(compare(&picture(1, 1, &[0]), &other)?.within, 0.0);
@@ -140,7 +140,7 @@ fn one_channel_decides_about_a_pixel() -> Result<(), Box<dyn Error>> {
 }
 
 #[test]
-fn sizes_must_match() {
+fn rejects_pictures_of_different_sizes() {
     let result = compare(&picture(2, 1, &[0, 0]), &picture(1, 2, &[0, 0]));
     assert_eq!(result, Err(SizesDiffer([(2, 1), (1, 2)])));
 }

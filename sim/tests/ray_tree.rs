@@ -1,4 +1,4 @@
-//! The tree of rays of a pixel.
+//! Ray trees of pixels.
 
 use std::error::Error;
 
@@ -7,8 +7,8 @@ use whitted::observer::RayKind;
 use whitted_sim::ray_tree;
 use whitted_sim::scene_file::{self, Buffer};
 
-/// Along the z axis, beside which the only pixel looks: a light, the eye, a glass
-/// sphere, a mirror and another light behind it.
+/// Along the z axis stand a light, the camera, a glass sphere, a mirror, and a second light behind
+/// the mirror. The only pixel looks along the axis, 0.001 beside it.
 const SCENE: &str = r#"
 max_depth = 2
 min_weight = 0
@@ -47,8 +47,8 @@ bounds = { x = [-2, 2] }
 checker = { size = 4, axes = "xy", materials = ["mirror", "mirror"] }
 "#;
 
-const TREE: &str = r#"E object 0, sphere "glass": weight 1.0000, local 0.2500
-├─ S light 0: reached
+const TREE: &str = r#"C object 0, sphere "glass": weight 1.0000, local 0.2500
+├─ S light 0: visible
 ├─ R background: weight 0.2500, local (0.0000, 0.0000, 1.0000)
 └─ T object 0, sphere "glass" from inside: weight (0.5000, 0.5000, 0.2500), local (0.1250, 0.1250, 0.0625)
    ├─ S light 0: filtered by (0.5000, 0.5000, 0.2500)
@@ -58,11 +58,11 @@ const TREE: &str = r#"E object 0, sphere "glass": weight 1.0000, local 0.2500
       └─ S light 0: filtered by (0.2500, 0.2500, 0.0625)
 color: (0.3125, 0.3438, 0.5156)
 8 bit: (80, 88, 131)
-rays: 9: 1 eye, 2 reflected, 2 transmitted, 4 shadow
+rays: 9: 1 camera, 2 reflected, 2 transmitted, 4 shadow
 "#;
 
 #[test]
-fn a_pixel_is_explained() -> Result<(), Box<dyn Error>> {
+fn formats_the_tree_of_a_pixel() -> Result<(), Box<dyn Error>> {
     let file = scene_file::parse("tree.toml", SCENE)?;
     let mut buffer = Box::new(Buffer::new());
     let scene = file.prepare(&mut buffer)?;
@@ -70,13 +70,13 @@ fn a_pixel_is_explained() -> Result<(), Box<dyn Error>> {
     let text = tree.draw(|object| file.describe(object));
     assert_eq!(text, TREE, "\n{text}");
     let unnamed = tree.draw(|_| None);
-    assert!(unnamed.starts_with("E object 0: weight"), "{unnamed}");
+    assert!(unnamed.starts_with("C object 0: weight"), "{unnamed}");
     Ok(())
 }
 
-/// Weights of nodes and their local colors add up to what is rendered.
+/// The sum of weight times local color over all nodes is the pixel's color.
 #[test]
-fn a_tree_is_that_of_its_pixel() -> Result<(), Box<dyn Error>> {
+fn tree_adds_up_to_the_rendered_color() -> Result<(), Box<dyn Error>> {
     let file = scene_file::parse("tree.toml", SCENE)?;
     let mut buffer = Box::new(Buffer::new());
     let scene = file.prepare(&mut buffer)?;
@@ -99,7 +99,7 @@ fn a_tree_is_that_of_its_pixel() -> Result<(), Box<dyn Error>> {
 }
 
 #[test]
-fn a_pixel_outside_has_no_tree() -> Result<(), Box<dyn Error>> {
+fn pixel_outside_the_picture_has_no_tree() -> Result<(), Box<dyn Error>> {
     let file = scene_file::parse("tree.toml", SCENE)?;
     let mut buffer = Box::new(Buffer::new());
     let scene = file.prepare(&mut buffer)?;

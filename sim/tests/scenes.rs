@@ -1,5 +1,5 @@
-//! The project's scenes: each loads, and is in numbers the reference that it
-//! is an edited copy of.
+//! The scenes in scenes/: each loads, and those that were copied from a reference scene still have
+//! its values.
 
 use std::error::Error;
 use std::fs;
@@ -23,8 +23,9 @@ fn reference(name: &str) -> Result<SceneFile, Box<dyn Error>> {
     Ok(scene_file::load(folder.join(name).with_extension("toml"))?)
 }
 
-/// The references write 0.333333333 for a third, and are pictures of a third.
-fn exact(object: &mut Object) {
+/// Replaces the ratio 0.333333333 by 1/3. The reference files have the former, but their pictures
+/// were rendered with the latter.
+fn use_exact_ratio(object: &mut Object) {
     if let Shape::Sphereflake { ratio, .. } = &mut object.shape {
         assert_eq!(*ratio, Real::lit("0.333333333"));
         *ratio = Shape::FLAKE_RATIO;
@@ -32,7 +33,7 @@ fn exact(object: &mut Object) {
 }
 
 #[test]
-fn every_scene_can_be_rendered() -> Result<(), Box<dyn Error>> {
+fn every_scene_loads_and_prepares() -> Result<(), Box<dyn Error>> {
     let mut count = 0;
     for entry in fs::read_dir(project().join("scenes"))? {
         let file = scene_file::load(entry?.path())?;
@@ -45,7 +46,7 @@ fn every_scene_can_be_rendered() -> Result<(), Box<dyn Error>> {
 }
 
 #[test]
-fn scenes_are_the_references_in_numbers() -> Result<(), Box<dyn Error>> {
+fn scenes_have_the_values_of_their_references() -> Result<(), Box<dyn Error>> {
     let pairs = [
         ("whitted", "01_whitted"),
         ("still_life", "02_still_life"),
@@ -73,14 +74,14 @@ fn scenes_are_the_references_in_numbers() -> Result<(), Box<dyn Error>> {
     ];
     for (name, original) in pairs {
         let (scene, mut original) = (scene(name)?, reference(original)?);
-        original.objects.iter_mut().for_each(exact);
+        original.objects.iter_mut().for_each(use_exact_ratio);
         assert_eq!(scene.objects, original.objects, "{name}");
         assert_eq!(scene.lights, original.lights, "{name}");
         assert_eq!(scene.materials, original.materials, "{name}");
-        // The rest has no lists, so its Debug form tells all.
+        // The settings have no lists, so their debug output has every value.
         let settings = [scene.settings, original.settings];
-        let [ours, theirs] = settings.map(|settings| format!("{settings:?}"));
-        assert_eq!(ours, theirs, "{name}");
+        let [actual, expected] = settings.map(|settings| format!("{settings:?}"));
+        assert_eq!(actual, expected, "{name}");
     }
     Ok(())
 }

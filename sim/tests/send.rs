@@ -1,4 +1,4 @@
-//! `sim send`, with a board that is a thread at the other end of a pseudo-terminal.
+//! Tests `sim send`. The test itself plays the board, at the other end of a pseudo-terminal.
 #![cfg(unix)]
 
 use std::error::Error;
@@ -11,7 +11,7 @@ use whitted_sim::scene_file;
 
 type Outcome<T = ()> = Result<T, Box<dyn Error>>;
 
-/// Room for the scene below, and more.
+/// Receiver that is large enough for the scene.
 type Board = Receiver<2000>;
 
 const SCENE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes/whitted.toml");
@@ -22,8 +22,8 @@ fn sim(args: &[&str]) -> Outcome<Output> {
         .output()?)
 }
 
-/// What the program prints, or its error, where a board gives these answers to
-/// a scene with a ticket.
+/// Runs `sim send` against a board that gives some answers to a scene with a ticket. Returns the
+/// program's output, or its error.
 fn send(answers: impl Fn(u16) -> Vec<String>) -> Outcome<Result<String, String>> {
     let (board, host) = SerialPort::pair()?;
     let path = rustix::pty::ptsname(&board, Vec::new())?;
@@ -41,15 +41,15 @@ fn send(answers: impl Fn(u16) -> Vec<String>) -> Outcome<Result<String, String>>
     })?;
     drop(host);
     let path = path.to_str()?;
-    let said = String::from_utf8(sent.stdout)?.replace(path, "PORT");
+    let output = String::from_utf8(sent.stdout)?.replace(path, "PORT");
     let error = String::from_utf8(sent.stderr)?.replace(path, "PORT");
     Ok(match sent.status.success() {
-        true => Ok(said),
+        true => Ok(output),
         false => Err(error),
     })
 }
 
-/// The scene that arrives, and its ticket.
+/// Receives a scene and its ticket.
 fn receive(port: &SerialPort) -> Outcome<(u16, Vec<u8>)> {
     let mut board = Board::new();
     loop {
@@ -68,25 +68,26 @@ fn line(answer: Answer<&str>) -> String {
 }
 
 #[test]
-fn a_scene_is_shown() -> Outcome {
-    let said = send(|ticket| vec![line(Answer::Shown { ticket })])?;
-    assert_eq!(said, Ok("PORT: shown\n".to_owned()));
+fn prints_that_the_scene_is_shown() -> Outcome {
+    let output = send(|ticket| vec![line(Answer::Shown { ticket })])?;
+    assert_eq!(output, Ok("PORT: shown\n".to_owned()));
     Ok(())
 }
 
 #[test]
-fn a_board_says_why_it_refuses() -> Outcome {
+fn prints_why_the_board_refuses_a_scene() -> Outcome {
     let why = "too many objects: the buffer holds 2";
-    let said = send(|ticket| vec![line(Answer::Refused { ticket, why })])?;
-    let expected = "error: PORT: the board refuses the scene: too many objects: the buffer holds 2
+    let output = send(|ticket| vec![line(Answer::Refused { ticket, why })])?;
+    let expected =
+        "error: PORT: the board refuses the scene: too many objects: the buffer holds 2
   help: flash firmware of the same version as this program, or leave something out of the scene\n";
-    assert_eq!(said, Err(expected.to_owned()));
+    assert_eq!(output, Err(expected.to_owned()));
     Ok(())
 }
 
 #[test]
-fn answers_to_others_are_ignored() -> Outcome {
-    let said = send(|ticket| {
+fn ignores_answers_to_other_transfers() -> Outcome {
+    let output = send(|ticket| {
         let other = ticket.wrapping_add(1);
         vec![
             "hello".to_owned(),
@@ -99,38 +100,38 @@ fn answers_to_others_are_ignored() -> Outcome {
             line(Answer::Shown { ticket }),
         ]
     })?;
-    assert_eq!(said, Ok("PORT: shown\n".to_owned()));
+    assert_eq!(output, Ok("PORT: shown\n".to_owned()));
     Ok(())
 }
 
 #[test]
-fn a_scene_may_not_arrive() -> Outcome {
+fn reports_a_damaged_transfer() -> Outcome {
     let why = "damaged on its way";
-    let said = send(|_| vec![line(Answer::Broken { why })])?;
+    let output = send(|_| vec![line(Answer::Broken { why })])?;
     let expected = "error: PORT: the scene did not arrive: damaged on its way
-  help: send it again; if that does not help, try another cable\n";
-    assert_eq!(said, Err(expected.to_owned()));
+  help: send the scene again; if that fails, try another cable\n";
+    assert_eq!(output, Err(expected.to_owned()));
     Ok(())
 }
 
 #[test]
-fn nobody_may_answer() -> Outcome {
-    let said = send(|_| Vec::new())?;
-    let expected = "error: PORT: nothing answers
-  help: is it the board's port, and its firmware that of boards/pico? (`cargo run --release` there)\n";
-    assert_eq!(said, Err(expected.to_owned()));
+fn reports_a_missing_answer() -> Outcome {
+    let output = send(|_| Vec::new())?;
+    let expected = "error: PORT: the board does not answer
+  help: check that this is the board's port and that the board runs the firmware of boards/pico\n";
+    assert_eq!(output, Err(expected.to_owned()));
     Ok(())
 }
 
 #[test]
-fn ports_that_are_there_are_named() -> Outcome {
+fn errors_about_ports_list_the_available_ones() -> Outcome {
     let ports = SerialPort::available_ports()?;
     let help = match ports.first() {
-        Some(first) => format!("\n  help: there are {}", first.display()),
-        None => "\n  help: there is no serial port; is the board plugged in?".to_owned(),
+        Some(first) => format!("\n  help: the available ports are {}", first.display()),
+        None => "\n  help: no serial port found; check that the board is plugged in".to_owned(),
     };
-    for (args, said) in [
-        (&["send", SCENE][..], "no port: name it by `--port`"),
+    for (args, expected) in [
+        (&["send", SCENE][..], "no port given: name it with `--port`"),
         (
             &["send", SCENE, "--port", "/dev/no-such-port"],
             "/dev/no-such-port: cannot be opened: ",
@@ -139,7 +140,7 @@ fn ports_that_are_there_are_named() -> Outcome {
         let output = sim(args)?;
         let error = String::from_utf8(output.stderr)?;
         assert_eq!(output.status.code(), Some(2));
-        assert!(error.starts_with(&format!("error: {said}")), "{error}");
+        assert!(error.starts_with(&format!("error: {expected}")), "{error}");
         assert!(error.contains(&help), "{error}");
     }
     Ok(())

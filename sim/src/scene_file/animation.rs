@@ -4,127 +4,127 @@ use whitted::{Real, Vec3};
 
 use super::error::LoadError;
 use super::example::example;
-use super::keys::{Keys, Kind};
-use super::motion::{Motion, Move};
-use super::nearest::advice;
-use super::target::{Form, Named};
+use super::file_animation::{FileAnimation, FileTrack};
+use super::schema::{ANIMATION, TRACK};
+use super::suggest::suggestion;
+use super::table::Table;
+use super::target::{NamedTarget, ValueKind};
 use super::value::Value;
 
-const ANIMATION: Kind = Kind {
-    name: "an animation",
-    keys: &["duration", "loop", "tracks"],
-};
-
-const TRACK: Kind = Kind {
-    name: "a track",
-    keys: &["target", "interpolation", "keys"],
-};
-
-/// Reads `[animation]`. That keys are in order, and within the duration, is
-/// checked by the library, once the scene is known.
-pub(super) fn animation(value: &Value<'_>, targets: &[Named]) -> Result<Motion, LoadError> {
-    let keys = Keys::of(value, "a table")?;
-    keys.only(ANIMATION)?;
-    let mut moved = Vec::new();
-    let mut tracks = Vec::new();
-    let need = keys.need("tracks", ANIMATION.name)?;
-    for value in need.list("a list of tables with double brackets")? {
-        let track = track(&value, targets)?;
-        if moved.contains(&track.target) {
-            let keys = Keys::of(&value, "a table")?;
-            let error = keys.need("target", TRACK.name)?.error("is moved twice");
-            return Err(error.help("put all its keys into one track"));
+/// Reads the table `[animation]`.
+///
+/// The library checks the order and the range of keyframe times once the whole scene is read.
+pub(super) fn animation(
+    value: &Value<'_>,
+    targets: &[NamedTarget],
+) -> Result<FileAnimation, LoadError> {
+    let table = Table::open(value, ANIMATION)?;
+    let mut tracks: Vec<FileTrack> = Vec::new();
+    for value in table
+        .need("tracks")?
+        .list("an array of tables in double brackets")?
+    {
+        let track_table = Table::open(&value, TRACK)?;
+        let track = track(&track_table, targets)?;
+        if tracks.iter().any(|other| other.target == track.target) {
+            return Err(track_table
+                .need("target")?
+                .error("already has a track")
+                .help("put all keyframes of a target into one track"));
         }
-        moved.push(track.target);
         tracks.push(track);
     }
-    Ok(Motion {
-        duration: keys.need("duration", ANIMATION.name)?.number()?,
-        looping: keys.get("loop").map_or(Ok(true), |value| value.flag())?,
-        moves: tracks,
+    Ok(FileAnimation {
+        duration: table.need("duration")?.number()?,
+        looping: table
+            .get("loop")
+            .map_or(Ok(true), |value| value.boolean())?,
+        tracks,
     })
 }
 
-fn track(value: &Value<'_>, targets: &[Named]) -> Result<Move, LoadError> {
-    let keys = Keys::of(value, "a table")?;
-    keys.only(TRACK)?;
+fn track(table: &Table<'_>, targets: &[NamedTarget]) -> Result<FileTrack, LoadError> {
     let choices = [
         ("linear", Interpolation::Linear),
         ("smooth", Interpolation::Smooth),
     ];
-    let named = target(&keys.need("target", TRACK.name)?, targets)?;
-    let interpolation = match keys.get("interpolation") {
-        Some(value) => value.choice(&choices, "a way to get from key to key", "the ways are")?,
+    let named = find_target(&table.need("target")?, targets)?;
+    let interpolation = match table.get("interpolation") {
+        Some(value) => value.choice(&choices, "an interpolation", "the interpolations are")?,
         None => Interpolation::default(),
     };
-    let example_key = example_key(named.form);
-    let list = Value {
-        key: example_key,
-        ..keys
-            .need("keys", TRACK.name)
-            .map_err(|error| error.help(format!("add `{}`", example(example_key))))?
-    };
-    let keys = list.list("a list of keys [time, value]")?;
-    if keys.is_empty() {
-        return Err(list.advise("must not be empty"));
-    }
-    Ok(Move {
+    Ok(FileTrack {
         target: named.target,
         interpolation,
-        keys: keys
-            .iter()
-            .map(|value| key(value, named.form))
-            .collect::<Result<_, _>>()?,
+        keys: keyframes(table, named.kind)?,
     })
 }
 
-fn target<'t>(value: &Value<'_>, targets: &'t [Named]) -> Result<&'t Named, LoadError> {
-    let text = value.text("a string")?;
-    if let Some(found) = targets.iter().find(|named| named.name == text) {
-        return Ok(found);
+fn keyframes(table: &Table<'_>, kind: ValueKind) -> Result<Vec<Keyframe>, LoadError> {
+    // Errors show an example of the target's type.
+    let key = example_key(kind);
+    let value = table
+        .need("keys")
+        .map_err(|error| error.help(format!("add `{}`", example(key))))?;
+    let value = Value { key, ..value };
+    let keys = value.list("a list of keyframes [time, value]")?;
+    if keys.is_empty() {
+        return Err(value.error_with_example("must not be empty"));
     }
-    let error = value.error(format!("`{text}` is nothing that moves"));
-    let kind = text.split('.').next().unwrap_or_default();
-    let is_named = |named: &Named| named.name.split('.').next() == Some(kind);
-    if ["objects", "lights"].contains(&kind) && !targets.iter().any(is_named) {
-        let key = if kind == "objects" { "ball" } else { "sun" };
-        return Err(error.help(format!(
-            "name one of the {kind}: write `name = \"{key}\"` under its [[{kind}]]"
-        )));
-    }
-    let names = targets.iter().map(|named| named.name.as_str());
-    Err(error.help(advice(text, names, "what can move is")))
+    keys.iter().map(|value| keyframe(value, kind)).collect()
 }
 
-/// `[time, value]`
-fn key(value: &Value<'_>, form: Form) -> Result<Keyframe, LoadError> {
-    let what = match form {
-        Form::Point => "a key [time, [x, y, z]]",
-        Form::Color => "a key [time, [r, g, b]]",
-        Form::Number => "a key [time, number]",
-        Form::Angles => "a key [time, yaw] or [time, [yaw, pitch]]",
+fn find_target<'t>(
+    value: &Value<'_>,
+    targets: &'t [NamedTarget],
+) -> Result<&'t NamedTarget, LoadError> {
+    let text = value.text("a string")?;
+    if let Some(found) = targets.iter().find(|named| named.path == text) {
+        return Ok(found);
+    }
+    let error = value.error(format!("`{text}` is not an animation target"));
+    let list = text.split('.').next().unwrap_or_default();
+    let is_in_list = |named: &NamedTarget| named.path.split('.').next() == Some(list);
+    if ["objects", "lights"].contains(&list) && !targets.iter().any(is_in_list) {
+        let example = if list == "objects" { "ball" } else { "sun" };
+        return Err(error.help(format!(
+            "only named {list} can be animated: write `name = \"{example}\"` under [[{list}]]"
+        )));
+    }
+    let paths = targets.iter().map(|named| named.path.as_str());
+    Err(error.help(suggestion(text, paths, "the targets are")))
+}
+
+/// Reads a keyframe `[time, value]`.
+fn keyframe(value: &Value<'_>, kind: ValueKind) -> Result<Keyframe, LoadError> {
+    let expected = match kind {
+        ValueKind::Point => "a keyframe [time, [x, y, z]]",
+        ValueKind::Color => "a keyframe [time, [r, g, b]]",
+        ValueKind::Number => "a keyframe [time, number]",
+        ValueKind::Angles => "a keyframe [time, yaw] or [time, [yaw, pitch]]",
     };
-    let [time, value] = value.array(what)?;
+    let [time, value] = value.array(expected)?;
     let is_list = matches!(value.node.get_ref(), DeValue::Array(_));
-    let flat = |x, y| Vec3::new(x, y, Real::ZERO);
+    let vector = |x, y| Vec3::new(x, y, Real::ZERO);
     Ok(Keyframe {
         time: time.number()?,
-        value: match form {
-            Form::Point => value.vector()?,
-            Form::Color => value.color().map(|c| Vec3::new(c.r, c.g, c.b))?,
-            Form::Angles if is_list => value
+        value: match kind {
+            ValueKind::Point => value.vector()?,
+            ValueKind::Color => value.color().map(|c| Vec3::new(c.r, c.g, c.b))?,
+            ValueKind::Angles if is_list => value
                 .numbers("two angles [yaw, pitch]")
-                .map(|[yaw, pitch]| flat(yaw, pitch))?,
-            Form::Number | Form::Angles => flat(value.number()?, Real::ZERO),
+                .map(|[yaw, pitch]| vector(yaw, pitch))?,
+            ValueKind::Number | ValueKind::Angles => vector(value.number()?, Real::ZERO),
         },
     })
 }
 
-fn example_key(form: Form) -> &'static str {
-    match form {
-        Form::Point => "keys",
-        Form::Color => "keys of colors",
-        Form::Number => "keys of numbers",
-        Form::Angles => "keys of angles",
+/// Returns the name under which [`example`] has keyframes of a type.
+fn example_key(kind: ValueKind) -> &'static str {
+    match kind {
+        ValueKind::Point => "keys",
+        ValueKind::Color => "color keys",
+        ValueKind::Number => "number keys",
+        ValueKind::Angles => "angle keys",
     }
 }

@@ -2,27 +2,27 @@ use std::error::Error;
 use std::fmt;
 use std::io;
 
-/// What is wrong with a scene file, where, and how to mend it.
+/// Error in a scene file: its place, the reason, and how to fix it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LoadError {
-    /// The file's name, as it was given.
+    /// File name as the caller passed it.
     pub file: String,
-    /// The line, counted from 1; none where the file as a whole is meant.
+    /// Line, counted from 1; `None` if the error concerns the file as a whole.
     pub line: Option<usize>,
-    /// The key, for example `objects[1].radius`.
+    /// Path of the key, such as `objects[1].radius`.
     pub key: Option<String>,
-    /// What is wrong.
+    /// Reason, to be read after the key.
     pub reason: String,
-    /// What would be right.
+    /// Advice on how to fix the error.
     pub help: Option<String>,
 }
 
 impl LoadError {
-    /// The file could not be read at all.
+    /// Returns the error for a file that cannot be read.
     pub(super) fn unreadable(file: &str, error: io::Error) -> Self {
         let help = match error.kind() {
-            io::ErrorKind::InvalidData => "a scene file is text in UTF-8",
-            _ => "check the path",
+            io::ErrorKind::InvalidData => "save the scene file as UTF-8 text",
+            _ => "check the path and its permissions",
         };
         Self {
             file: file.to_owned(),
@@ -33,7 +33,7 @@ impl LoadError {
         }
     }
 
-    /// The same error with advice.
+    /// Sets the advice of the error.
     pub(super) fn help(mut self, help: impl Into<String>) -> Self {
         self.help = Some(help.into());
         self

@@ -1,4 +1,5 @@
-/// How a key is written, for error messages; empty for keys that it does not know.
+/// Returns an example line for a key, or an empty string for an unknown key. Error messages quote
+/// it.
 pub(super) fn example(key: &str) -> &'static str {
     match key {
         "title" => r#"title = "Still life""#,
@@ -59,9 +60,9 @@ pub(super) fn example(key: &str) -> &'static str {
         "target" => r#"target = "camera.orbit""#,
         "interpolation" => r#"interpolation = "smooth""#,
         "keys" => "keys = [[0.0, [0.0, 1.0, 0.0]], [4.0, [0.0, 3.0, 0.0]]]",
-        "keys of colors" => "keys = [[0.0, [1.0, 1.0, 1.0]], [4.0, [1.0, 0.6, 0.2]]]",
-        "keys of numbers" => "keys = [[0.0, 33.0], [4.0, 20.0]]",
-        "keys of angles" => "keys = [[0.0, 0.0], [4.0, 360.0]]",
+        "color keys" => "keys = [[0.0, [1.0, 1.0, 1.0]], [4.0, [1.0, 0.6, 0.2]]]",
+        "number keys" => "keys = [[0.0, 33.0], [4.0, 20.0]]",
+        "angle keys" => "keys = [[0.0, 0.0], [4.0, 360.0]]",
         _ => "",
     }
 }

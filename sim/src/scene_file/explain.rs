@@ -1,4 +1,4 @@
-mod motion;
+//! Turns errors of the library into errors with a line and a key of the file.
 
 use whitted::scene::{SceneItem, SceneProblem};
 use whitted::{Real, SceneError};
@@ -9,7 +9,7 @@ use super::file::SceneFile;
 use super::outline::Entry;
 
 impl SceneFile {
-    /// Leads an error in a scene's value back to the line that it stands on.
+    /// Converts an error of the library to an error with the line and key of the rejected value.
     pub fn explain(&self, error: SceneError) -> LoadError {
         let item = self.path(error.item);
         let entry = self.entry(&item, error.field);
@@ -17,7 +17,7 @@ impl SceneFile {
             Some(entry) => entry.path.clone(),
             None => child(&item, error.field),
         };
-        // A key that is left to its default has no line, but its table has.
+        // A key left to its default has no line; its table has one.
         let line = entry.or_else(|| self.outline.find(&item));
         LoadError {
             file: self.outline.name().to_owned(),
@@ -28,6 +28,7 @@ impl SceneFile {
         }
     }
 
+    /// Returns the path of a scene item's table.
     fn path(&self, item: SceneItem) -> String {
         match item {
             SceneItem::Scene => String::new(),
@@ -41,13 +42,13 @@ impl SceneFile {
         }
     }
 
-    /// A field's key, or the one that stands for it.
+    /// Returns the key of a field. A light's `color` sets both `diffuse` and `specular`.
     fn entry(&self, item: &str, field: &str) -> Option<&Entry> {
-        let stand_in = match field {
+        let alternative = match field {
             "diffuse" | "specular" => "color",
             field => field,
         };
-        [field, stand_in]
+        [field, alternative]
             .into_iter()
             .find_map(|key| self.outline.find(&child(item, key)))
     }
@@ -69,27 +70,27 @@ fn reason(problem: SceneProblem, entry: Option<&Entry>) -> String {
 
 fn help(problem: SceneProblem, key: &str) -> Option<String> {
     let name = key.rsplit('.').next().unwrap_or_default();
-    // An array's element is shown in its array.
+    // The example of an array's element is the whole array.
     let name = name.split('[').next().unwrap_or_default();
     let example = example(name);
     Some(match problem {
-        SceneProblem::NoView => "move one of the two".to_owned(),
-        SceneProblem::AlongView => "give another `up`, or move `eye` or `look_at`".to_owned(),
+        SceneProblem::NoView => "move `eye` or `look_at`".to_owned(),
+        SceneProblem::AlongView => "change `up`, or move `eye` or `look_at`".to_owned(),
         SceneProblem::EmptyInterval => "write the lower end first: [low, high]".to_owned(),
-        SceneProblem::TooMany { .. } => "leave some out".to_owned(),
+        SceneProblem::TooMany { .. } => "remove some of them".to_owned(),
         _ if example.is_empty() => return None,
-        SceneProblem::OutOfRange { least, most } => match nearest(example, least, most) {
-            Some(end) => format!("write for example `{name} = {end}`"),
+        SceneProblem::OutOfRange { least, most } => match clamped(example, least, most) {
+            Some(bound) => format!("write for example `{name} = {bound}`"),
             None => format!("write for example `{example}`"),
         },
         _ => format!("write for example `{example}`"),
     })
 }
 
-/// Of a range that the example's number is outside of, which may be that of a
-/// scene of unusual size: the end that is nearest to it.
-fn nearest(example: &str, least: Real, most: Real) -> Option<Real> {
+/// Returns the end of a range that is nearest to the example's number, or `None` if the example
+/// is in range. The range of a size depends on the scene, so the example may be out of range.
+fn clamped(example: &str, least: Real, most: Real) -> Option<Real> {
     let number: Real = example.rsplit(' ').next()?.parse().ok()?;
-    let nearest = number.clamp(least, most);
-    (nearest != number).then_some(nearest)
+    let clamped = number.clamp(least, most);
+    (clamped != number).then_some(clamped)
 }

@@ -1,34 +1,36 @@
-use whitted::{Light, Material, MaterialId, Object, PreparedScene, Scene, SceneBuffer, Texture};
+use whitted::{Light, Material, MaterialId, Object, Scene, SceneBuffer, Texture};
 
-use super::error::LoadError;
-use super::motion::Motion;
+use super::file_animation::FileAnimation;
 use super::outline::Outline;
 
-/// Room for any scene a person would write by hand.
+/// Scene buffer for scene files: 256 objects, 16 lights and 256 materials.
 pub type Buffer = SceneBuffer<256, 16, 256>;
 
-/// A scene file's content, with lists of its own.
+/// Buffer for the frames of an animated scene file: 256 objects and 16 lights.
+pub type AnimatedScene = whitted::animation::AnimatedScene<256, 16>;
+
+/// Content of a scene file, with owned lists.
 #[derive(Clone, Debug)]
 pub struct SceneFile {
-    /// What the file calls the scene.
+    /// Title of the scene.
     pub title: Option<String>,
-    /// All but the lists, which are empty here.
+    /// Camera and settings of the scene. Its lists are empty.
     pub settings: Scene<'static>,
-    /// The lights, in the file's order.
+    /// Lights, in the file's order.
     pub lights: Vec<Light>,
-    /// The materials, in the file's order: a `MaterialId` counts them from 0.
+    /// Materials, in the file's order; a `MaterialId` is an index into this list.
     pub materials: Vec<Material>,
-    /// What the file calls the materials, in the same order.
+    /// Names of the materials, parallel to `materials`.
     pub material_names: Vec<String>,
-    /// The objects, in the file's order.
+    /// Objects, in the file's order.
     pub objects: Vec<Object>,
-    /// How the scene moves, if it does.
-    pub animation: Option<Motion>,
+    /// Animation of the scene, if it has one.
+    pub animation: Option<FileAnimation>,
     pub(super) outline: Outline,
 }
 
 impl SceneFile {
-    /// The scene, to be prepared.
+    /// Returns the scene in the form that the library prepares.
     pub fn scene(&self) -> Scene<'_> {
         Scene {
             lights: &self.lights,
@@ -38,14 +40,7 @@ impl SceneFile {
         }
     }
 
-    /// Prepares the scene; what is wrong with a value is explained by its line.
-    pub fn prepare<'b>(&'b self, buffer: &'b mut Buffer) -> Result<PreparedScene<'b>, LoadError> {
-        buffer
-            .prepare(&self.scene())
-            .map_err(|error| self.explain(error))
-    }
-    /// An object in the file's words: its type and what covers it, for example
-    /// `sphere "glass"`.
+    /// Describes an object by its type and material, for example `sphere "glass"`.
     pub fn describe(&self, object: u16) -> Option<String> {
         let name = |MaterialId(index)| self.material_names.get(usize::from(index));
         let kind = self.outline.find(&format!("objects[{object}].type"))?;

@@ -1,29 +1,28 @@
 use super::error::LoadError;
-use super::keys::Keys;
+use super::table::Table;
 use super::value::Value;
 
-/// What a table calls itself, so that tracks can name it.
-pub(super) fn name<'a>(table: &Value<'a>) -> Result<Option<Value<'a>>, LoadError> {
-    let name = Keys::of(table, "a table")?.get("name");
-    if let Some(name) = &name {
-        let text = name.text("a string")?;
-        if text.trim().is_empty() {
-            return Err(name
-                .error("must not be empty")
-                .help("write for example `name = \"ball\"`"));
-        }
+/// Reads the `name` of an object or a light, by which animation tracks refer to it.
+pub(super) fn name<'a>(table: &Table<'a>) -> Result<Option<Value<'a>>, LoadError> {
+    let name = table.get("name");
+    if let Some(name) = &name
+        && name.text("a string")?.trim().is_empty()
+    {
+        return Err(name.error_with_example("must not be empty"));
     }
     Ok(name)
 }
 
-/// No two may be called the same.
-pub(super) fn only_once(names: &[Option<Value<'_>>]) -> Result<(), LoadError> {
+/// Checks that all names differ.
+pub(super) fn check_unique<'n, 'a: 'n>(
+    names: impl Iterator<Item = &'n Option<Value<'a>>>,
+) -> Result<(), LoadError> {
     let mut seen = Vec::new();
-    for name in names.iter().flatten() {
+    for name in names.flatten() {
         let text = name.text("a string")?;
         if seen.contains(&text) {
             return Err(name
-                .error(format!("there is another `{text}`"))
+                .error(format!("the name `{text}` is already taken"))
                 .help("rename one of the two"));
         }
         seen.push(text);

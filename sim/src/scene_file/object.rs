@@ -1,33 +1,56 @@
 use whitted::Object;
 
 use super::error::LoadError;
-use super::keys::{Keys, Kind};
-use super::material::Names;
+use super::material::MaterialNames;
+use super::name::name;
+use super::schema::OBJECT;
 use super::shape::SHAPES;
+use super::shape_reader::ShapeReader;
+use super::table::Table;
 use super::texture::texture;
 use super::value::Value;
 
-/// All keys of any object, for one that names no type.
-const OBJECT: Kind = Kind {
-    name: "an object",
-    keys: &[
-        "type", "material", "checker", "center", "radius", "radii", "origin", "height", "y",
-        "normal", "point", "bounds", "depth", "ratio", "frame", "name",
-    ],
-};
+/// An object, its type, and its name.
+pub(super) struct NamedObject<'a> {
+    pub(super) object: Object,
+    pub(super) shape: ShapeReader,
+    pub(super) name: Option<Value<'a>>,
+}
 
 /// Reads an object.
-pub(super) fn object(value: &Value<'_>, names: &Names<'_>) -> Result<Object, LoadError> {
-    let keys = Keys::of(value, "a table")?;
-    let Some(kind) = keys.get("type") else {
-        keys.only(OBJECT)?;
-        return Err(keys.missing("type", OBJECT.name));
+pub(super) fn object<'a>(
+    value: &Value<'a>,
+    materials: &MaterialNames<'_>,
+) -> Result<NamedObject<'a>, LoadError> {
+    let table = Table::open_any(value, "a table", OBJECT.name)?;
+    let Some(kind) = table.get("type") else {
+        table.reject_unknown(OBJECT.name, &all_keys())?;
+        return Err(table.missing("type", OBJECT.name));
     };
-    let forms = SHAPES.map(|form| (form.name, form));
-    let form = kind.choice(&forms, "a type of object", "the types are")?;
-    keys.only(form.kind)?;
-    Ok(Object {
-        shape: (form.read)(&keys)?,
-        texture: texture(&keys, form.kind, names)?,
+    let shapes = SHAPES.map(|shape| (shape.type_name, shape));
+    let shape = kind.choice(&shapes, "a type of object", "the types are")?;
+    let keys = [OBJECT.keys, shape.schema.keys].concat();
+    table.reject_unknown(shape.schema.name, &keys)?;
+    let table = table.named(shape.schema.name);
+    let object = Object {
+        shape: (shape.read)(&table)?,
+        texture: texture(&table, shape.schema.name, materials)?,
+    };
+    let name = name(&table)?;
+    Ok(NamedObject {
+        object,
+        shape,
+        name,
     })
+}
+
+/// Returns the keys of objects of all types, for an object without a `type`.
+fn all_keys() -> Vec<&'static str> {
+    let mut keys = OBJECT.keys.to_vec();
+    for key in SHAPES.iter().flat_map(|shape| shape.schema.keys) {
+        if !keys.contains(key) {
+            keys.push(key);
+        }
+    }
+    keys
 }

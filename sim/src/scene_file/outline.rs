@@ -2,14 +2,14 @@ use toml::de::{DeTable, DeValue};
 
 use super::source::Source;
 
-/// The lines that all keys stand on, for errors that come after reading.
+/// Line and text of every key of a scene file, kept for errors found after reading.
 #[derive(Clone, Debug)]
 pub(super) struct Outline {
     name: String,
     entries: Vec<Entry>,
 }
 
-/// A key, and its value as the file writes it, in one line.
+/// A key, its line, and its value as written in the file, on one line.
 #[derive(Clone, Debug)]
 pub(super) struct Entry {
     pub(super) path: String,
@@ -26,12 +26,12 @@ impl Outline {
         Self { name, entries }
     }
 
-    /// The key of this path.
+    /// Returns the entry of a key, by its path.
     pub(super) fn find(&self, path: &str) -> Option<&Entry> {
         self.entries.iter().find(|entry| entry.path == path)
     }
 
-    /// What errors call the file.
+    /// Returns the file name for error messages.
     pub(super) fn name(&self) -> &str {
         &self.name
     }

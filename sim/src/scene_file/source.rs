@@ -5,21 +5,21 @@ use toml::de::DeTable;
 
 use super::error::LoadError;
 
-/// A file's text; byte ranges of it become lines.
+/// Text of a scene file. Maps byte offsets to line numbers for error messages.
 pub(super) struct Source<'a> {
-    /// What errors call the file.
+    /// File name in error messages.
     pub(super) name: &'a str,
     pub(super) text: &'a str,
 }
 
 impl<'a> Source<'a> {
-    /// The line of a place in the text, counted from 1.
-    pub(super) fn line(&self, place: usize) -> usize {
-        let before = self.text.as_bytes().iter().take(place);
+    /// Returns the line of a byte offset, counted from 1.
+    pub(super) fn line(&self, offset: usize) -> usize {
+        let before = self.text.as_bytes().iter().take(offset);
         1 + before.filter(|byte| **byte == b'\n').count()
     }
 
-    /// An error at a place, about `key` unless that is empty.
+    /// Returns an error about a key at a byte range. An empty `key` is left out of the message.
     pub(super) fn error(
         &self,
         place: &Range<usize>,
@@ -35,7 +35,7 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// The text as TOML.
+    /// Parses the text as TOML.
     pub(super) fn table(&self) -> Result<Spanned<DeTable<'a>>, LoadError> {
         DeTable::parse(self.text).map_err(|error| self.syntax_error(&error))
     }
@@ -45,7 +45,7 @@ impl<'a> Source<'a> {
         if error.message() == "duplicate key" {
             let key = self.text.get(place.clone()).unwrap_or_default();
             return self
-                .error(&place, key, "given twice")
+                .error(&place, key, "is defined twice")
                 .help("remove or rename one of the two");
         }
         let rest = self.text.get(place.start..).unwrap_or_default();

@@ -1,11 +1,12 @@
 use whitted::animation::Target;
-use whitted::{Object, Shape};
 
+use super::light::NamedLight;
+use super::object::NamedObject;
 use super::value::Value;
 
-/// What the values of a track's keys are.
+/// Type of a track's values.
 #[derive(Clone, Copy)]
-pub(super) enum Form {
+pub(super) enum ValueKind {
     Point,
     Color,
     Number,
@@ -13,72 +14,80 @@ pub(super) enum Form {
     Angles,
 }
 
-/// What a track may move, by the key that says where it is while it is still.
-pub(super) struct Named {
-    /// `objects.ball.center`
-    pub(super) name: String,
+/// An animation target and the path that names it in the file.
+pub(super) struct NamedTarget {
+    /// Path of the animated key, such as `objects.ball.center`.
+    pub(super) path: String,
     pub(super) target: Target,
-    pub(super) form: Form,
+    pub(super) kind: ValueKind,
 }
 
-/// All that can move in a scene.
-pub(super) fn targets(
-    objects: &[Object],
-    object_names: &[Option<Value<'_>>],
-    light_names: &[Option<Value<'_>>],
-) -> Vec<Named> {
-    let mut targets = Vec::new();
-    let mut add = |name: String, target, form| targets.push(Named { name, target, form });
-    add("camera.orbit".into(), Target::CameraOrbit, Form::Angles);
-    add("camera.eye".into(), Target::CameraEye, Form::Point);
-    add("camera.look_at".into(), Target::CameraLookAt, Form::Point);
-    add("camera.fovy_deg".into(), Target::CameraFovy, Form::Number);
-    for (index, name, object) in named(object_names)
-        .filter_map(|(index, name)| Some((index, name, objects.get(usize::from(index))?)))
-    {
-        let position = position_key(&object.shape);
-        add(
-            format!("objects.{name}.{position}"),
-            Target::ObjectPosition(index),
-            Form::Point,
-        );
-        if has_radius(&object.shape) {
-            add(
-                format!("objects.{name}.radius"),
-                Target::ObjectRadius(index),
-                Form::Number,
-            );
+impl NamedTarget {
+    fn new(path: impl Into<String>, target: Target, kind: ValueKind) -> Self {
+        Self {
+            path: path.into(),
+            target,
+            kind,
         }
     }
-    for (index, name) in named(light_names) {
-        let light = |key: &str| format!("lights.{name}.{key}");
-        add(light("position"), Target::LightPosition(index), Form::Point);
-        add(light("color"), Target::LightColor(index), Form::Color);
+}
+
+/// Returns all animation targets of a scene: the camera, and the named objects and lights.
+pub(super) fn targets(objects: &[NamedObject<'_>], lights: &[NamedLight<'_>]) -> Vec<NamedTarget> {
+    let mut targets = vec![
+        NamedTarget::new("camera.orbit", Target::CameraOrbit, ValueKind::Angles),
+        NamedTarget::new("camera.eye", Target::CameraEye, ValueKind::Point),
+        NamedTarget::new("camera.look_at", Target::CameraLookAt, ValueKind::Point),
+        NamedTarget::new("camera.fovy_deg", Target::CameraFovy, ValueKind::Number),
+    ];
+    for (index, object) in (0..).zip(objects) {
+        if let Some(name) = text(&object.name) {
+            targets.extend(object_targets(index, name, object));
+        }
+    }
+    for (index, light) in (0..).zip(lights) {
+        if let Some(name) = text(&light.name) {
+            targets.extend(light_targets(index, name));
+        }
     }
     targets
 }
 
-fn named<'a>(names: &'a [Option<Value<'a>>]) -> impl Iterator<Item = (u16, &'a str)> {
-    let text = |name: &'a Option<Value<'a>>| name.as_ref()?.text("a string").ok();
-    (0..)
-        .zip(names)
-        .filter_map(move |(index, name)| Some((index, text(name)?)))
+fn object_targets(
+    index: u16,
+    name: &str,
+    object: &NamedObject<'_>,
+) -> impl Iterator<Item = NamedTarget> {
+    let position = NamedTarget::new(
+        format!("objects.{name}.{}", object.shape.position_key),
+        Target::ObjectPosition(index),
+        ValueKind::Point,
+    );
+    let radius = object.shape.has_radius().then(|| {
+        NamedTarget::new(
+            format!("objects.{name}.radius"),
+            Target::ObjectRadius(index),
+            ValueKind::Number,
+        )
+    });
+    std::iter::once(position).chain(radius)
 }
 
-fn position_key(shape: &Shape) -> &'static str {
-    match shape {
-        Shape::Sphere { .. } | Shape::Ellipsoid { .. } | Shape::Sphereflake { .. } => "center",
-        Shape::Plane { .. } => "point",
-        _ => "origin",
-    }
+fn light_targets(index: u16, name: &str) -> [NamedTarget; 2] {
+    [
+        NamedTarget::new(
+            format!("lights.{name}.position"),
+            Target::LightPosition(index),
+            ValueKind::Point,
+        ),
+        NamedTarget::new(
+            format!("lights.{name}.color"),
+            Target::LightColor(index),
+            ValueKind::Color,
+        ),
+    ]
 }
 
-fn has_radius(shape: &Shape) -> bool {
-    matches!(
-        shape,
-        Shape::Sphere { .. }
-            | Shape::Cylinder { .. }
-            | Shape::Cone { .. }
-            | Shape::Sphereflake { .. }
-    )
+fn text<'a>(name: &Option<Value<'a>>) -> Option<&'a str> {
+    name.as_ref()?.text("a string").ok()
 }

@@ -2,14 +2,10 @@ use whitted::Texture;
 use whitted::scene::Axis;
 
 use super::error::LoadError;
-use super::keys::{Keys, Kind};
-use super::material::Names;
+use super::material::MaterialNames;
+use super::schema::CHECKER;
+use super::table::Table;
 use super::value::Value;
-
-const CHECKER: Kind = Kind {
-    name: "`checker`",
-    keys: &["size", "axes", "materials"],
-};
 
 const AXES: [(&str, [Axis; 2]); 6] = [
     ("xz", [Axis::X, Axis::Z]),
@@ -20,32 +16,33 @@ const AXES: [(&str, [Axis; 2]); 6] = [
     ("zy", [Axis::Z, Axis::Y]),
 ];
 
-/// Reads what covers an object of a kind: one material, or a checkerboard.
+/// Reads the texture of an object: one material or a checkerboard. `owner` names the type of
+/// object in errors.
 pub(super) fn texture(
-    keys: &Keys<'_>,
-    kind: Kind,
-    names: &Names<'_>,
+    table: &Table<'_>,
+    owner: &str,
+    materials: &MaterialNames<'_>,
 ) -> Result<Texture, LoadError> {
-    match (keys.get("material"), keys.get("checker")) {
-        (Some(name), None) => names.find(&name).map(Texture::Uniform),
-        (None, Some(value)) => checker(&value, names),
+    match (table.get("material"), table.get("checker")) {
+        (Some(name), None) => materials.find(&name).map(Texture::Uniform),
+        (None, Some(value)) => checker(&value, materials),
         (Some(_), Some(value)) => Err(value
-            .error("excludes `material`")
+            .error("cannot be combined with `material`")
             .help("keep one of the two")),
-        (None, None) => Err(keys
-            .missing("material", kind.name)
+        (None, None) => Err(table
+            .missing("material", owner)
             .help("add `material = \"..\"` or `checker = { .. }`")),
     }
 }
 
-fn checker(value: &Value<'_>, names: &Names<'_>) -> Result<Texture, LoadError> {
-    let keys = Keys::of(value, "a table")?;
-    keys.only(CHECKER)?;
-    let need = |key| keys.need(key, CHECKER.name);
-    let [even, odd] = need("materials")?.array("two names of materials")?;
+fn checker(value: &Value<'_>, materials: &MaterialNames<'_>) -> Result<Texture, LoadError> {
+    let table = Table::open(value, CHECKER)?;
+    let [even, odd] = table.need("materials")?.array("two names of materials")?;
     Ok(Texture::Checker {
-        size: need("size")?.number()?,
-        axes: need("axes")?.choice(&AXES, "a pair of axes", "the pairs are")?,
-        materials: [names.find(&even)?, names.find(&odd)?],
+        size: table.need("size")?.number()?,
+        axes: table
+            .need("axes")?
+            .choice(&AXES, "a pair of axes", "the pairs are")?,
+        materials: [materials.find(&even)?, materials.find(&odd)?],
     })
 }

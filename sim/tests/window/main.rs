@@ -1,8 +1,9 @@
-//! `sim view` on an X screen, as a person sees and uses it.
+//! Tests `sim view` on an X screen: presses keys and reads the window's pixels.
 //!
-//! `xvfb-run cargo test --package whitted-sim --features window --test window`; `cargo xtask test
-//! window` does so, too.
+//! Run with `cargo xtask test window`, or
+//! `xvfb-run cargo test --package whitted-sim --features window --test window`.
 
+mod outcome;
 mod screen;
 mod shot;
 
@@ -10,10 +11,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 
-use screen::{Outcome, Screen};
+use outcome::Outcome;
+use screen::Screen;
 use shot::Shot;
 
-/// The colors of errors, of the title, and of other text.
+/// Colors of the status text: errors, the title, and other lines.
 const ERROR: [u8; 3] = [0xff, 0x6b, 0x5e];
 const BRIGHT: [u8; 3] = [0xff; 3];
 const PLAIN: [u8; 3] = [0xb8, 0xbe, 0xc8];
@@ -21,7 +23,7 @@ const PLAIN: [u8; 3] = [0xb8, 0xbe, 0xc8];
 const RIGHT: u32 = 0xff53;
 const UP: u32 = 0xff52;
 
-/// A program that ends with this value at the latest.
+/// Running program, killed when dropped.
 struct Running(Child);
 
 impl Drop for Running {
@@ -31,7 +33,7 @@ impl Drop for Running {
     }
 }
 
-/// Where scenes of the test's own are, and pictures of them.
+/// Directory with the scenes and pictures of the test.
 struct Directory(PathBuf);
 
 impl Directory {
@@ -48,7 +50,7 @@ impl Directory {
         sim
     }
 
-    /// What `sim render` makes of it.
+    /// Returns the picture that `sim render` writes.
     fn rendered(&self, args: &[&str]) -> Outcome<Shot> {
         let status = self
             .sim(&[&["render", "-o", "expected.png"], args].concat())
@@ -57,7 +59,7 @@ impl Directory {
         Shot::read(&self.0.join("expected.png"))
     }
 
-    /// Saves a file as editors do: the new one takes the old one's place.
+    /// Saves a file by renaming a new one over it, as editors do.
     fn save(&self, name: &str, text: &str) -> Outcome {
         let new = self.0.join("new");
         fs::write(&new, text)?;
@@ -73,7 +75,7 @@ fn scene(name: &str) -> Outcome<String> {
 }
 
 #[test]
-fn a_person_can_look_and_try() -> Outcome {
+fn view_follows_keys_and_files() -> Outcome {
     let here = Directory::new()?;
     let good = scene("whitted")?;
     here.save("one.toml", &good)?;
@@ -87,67 +89,65 @@ fn a_person_can_look_and_try() -> Outcome {
     let oled = here.rendered(&[&["one.toml"][..], &on_oled].concat())?;
     window.wait_for("the scene on the OLED", |shot| shot.shows(&oled))?;
 
-    // What is saved is what is shown.
+    // The saved picture is the one on the screen.
     window.press('s'.into())?;
-    window.wait_for("that it is saved", |shot| {
+    window.wait_for("the message that the picture is saved", |shot| {
         shot.says("wrote one-ssd0323.png", PLAIN)
     })?;
     let saved = Shot::read(&here.0.join("one-ssd0323.png"))?;
     assert!(saved == here.rendered(&["one.toml", "--display", "ssd0323"])?);
 
-    // How the display shows it.
+    // Dithering and transfer function.
     for (key, option) in [('t', ["--dither", "off"]), ('g', ["--transfer", "srgb"])] {
         let other = here.rendered(&[&["one.toml"][..], &on_oled, &option].concat())?;
         assert!(other != oled);
         window.press(key.into())?;
-        window.wait_for("another output", |shot| shot.shows(&other))?;
+        window.wait_for("the changed output", |shot| shot.shows(&other))?;
         window.press(key.into())?;
-        window.wait_for("the output before", |shot| shot.shows(&oled))?;
+        window.wait_for("the previous output", |shot| shot.shows(&oled))?;
     }
-    let title = |edges| {
-        format!("one (1 of 2) on ssd0323 128x64 gray4, dither, linear, {edges}, line by line")
+    let title = |antialiasing| {
+        format!(
+            "one (1 of 2) on ssd0323 128x64 gray4, dither, linear, {antialiasing}, line by line"
+        )
     };
     window.press('o'.into())?;
     window.wait_for("the other order", |shot| {
-        shot.shows(&oled)
-            && shot.says(
-                "one (1 of 2) on ssd0323 128x64 gray4, dither, linear, jagged, line by line",
-                BRIGHT,
-            )
+        shot.shows(&oled) && shot.says(&title("no antialiasing"), BRIGHT)
     })?;
 
-    let smooth = here.rendered(&[&["one.toml", "--antialias", "4"][..], &on_oled].concat())?;
+    let antialiased = here.rendered(&[&["one.toml", "--antialias", "4"][..], &on_oled].concat())?;
     window.press('a'.into())?;
-    window.wait_for("smooth edges", |shot| {
-        shot.shows(&smooth) && shot.says(&title("4 rays at edges"), BRIGHT)
+    window.wait_for("antialiasing with 4 rays", |shot| {
+        shot.shows(&antialiased) && shot.says(&title("4 rays at edges"), BRIGHT)
     })?;
     window.press('a'.into())?;
-    window.wait_for("smoother edges", |shot| {
+    window.wait_for("antialiasing with 16 rays", |shot| {
         shot.says(&title("16 rays at edges"), BRIGHT)
     })?;
     window.press('a'.into())?;
-    window.wait_for("jagged edges", |shot| shot.shows(&oled))?;
+    window.wait_for("no antialiasing", |shot| shot.shows(&oled))?;
 
-    // The camera goes around, and back.
+    // Orbit, zoom, and reset of the camera.
     for key in [RIGHT, UP, '='.into()] {
         window.press(key)?;
-        window.wait_for("another view", |shot| !shot.shows(&oled))?;
+        window.wait_for("the moved camera", |shot| !shot.shows(&oled))?;
         window.press('r'.into())?;
-        window.wait_for("the camera where it was", |shot| shot.shows(&oled))?;
+        window.wait_for("the camera reset", |shot| shot.shows(&oled))?;
     }
 
-    // A broken file is told, and the picture stays.
+    // An invalid file shows an error and keeps the picture.
     here.save("one.toml", &format!("colour = 1\n{good}"))?;
-    let told = "one.toml:1: colour: a scene has no such key";
-    let shot = window.wait_for("the error", |shot| shot.says(told, ERROR))?;
+    let error = "one.toml:1: colour: a scene has no such key";
+    let shot = window.wait_for("the error", |shot| shot.says(error, ERROR))?;
     assert!(shot.shows(&oled), "the last good picture stays");
-    let mended = good.replace("fovy_deg = 33", "fovy_deg = 50");
-    assert_ne!(mended, good);
-    here.save("one.toml", &mended)?;
+    let fixed = good.replace("fovy_deg = 33", "fovy_deg = 50");
+    assert_ne!(fixed, good);
+    here.save("one.toml", &fixed)?;
     let wider = here.rendered(&[&["one.toml"][..], &on_oled].concat())?;
     assert!(wider != oled);
-    window.wait_for("the mended scene", |shot| {
-        shot.shows(&wider) && !shot.says(told, ERROR)
+    window.wait_for("the fixed scene", |shot| {
+        shot.shows(&wider) && !shot.says(error, ERROR)
     })?;
 
     // Another display, and another scene.

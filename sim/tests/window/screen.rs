@@ -1,6 +1,5 @@
-//! An X screen: windows are found, keys pressed and pixels read.
+//! X screen: finds windows, presses keys, and reads pixels.
 
-use std::error::Error;
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
@@ -12,14 +11,13 @@ use x11rb::protocol::xproto::{
 use x11rb::protocol::xtest::ConnectionExt as _;
 use x11rb::rust_connection::RustConnection;
 
+use crate::outcome::Outcome;
 use crate::shot::Shot;
 
-/// How long anything may take on a slow machine.
-const PATIENCE: Duration = Duration::from_secs(60);
+/// Time limit of each wait, long enough for a slow machine.
+const TIMEOUT: Duration = Duration::from_secs(60);
 
-pub(crate) type Outcome<T = ()> = Result<T, Box<dyn Error>>;
-
-/// The screen that `DISPLAY` names.
+/// Screen that the environment variable `DISPLAY` names.
 pub(crate) struct Screen {
     connection: RustConnection,
     root: Window,
@@ -32,10 +30,10 @@ impl Screen {
         Ok(Self { connection, root })
     }
 
-    /// The window with this title. It may come late, and be replaced by another:
-    /// SDL does so once it knows how to draw.
-    pub(crate) fn window<'s>(&'s self, title: &'s str) -> Shown<'s> {
-        Shown {
+    /// Returns a handle to the window with a title. The window may open later, and SDL replaces it
+    /// once after choosing a renderer.
+    pub(crate) fn window<'s>(&'s self, title: &'s str) -> TitledWindow<'s> {
+        TitledWindow {
             screen: self,
             title,
         }
@@ -56,7 +54,7 @@ impl Screen {
         Ok(None)
     }
 
-    /// The key that has this symbol.
+    /// Returns the key code of an X key symbol.
     fn key(&self, symbol: u32) -> Outcome<u8> {
         let setup = self.connection.setup();
         let (first, last) = (setup.min_keycode, setup.max_keycode);
@@ -73,15 +71,17 @@ impl Screen {
     }
 }
 
-/// A window that a person sees.
-pub(crate) struct Shown<'s> {
+/// Window that is found by its title at each use.
+pub(crate) struct TitledWindow<'s> {
     screen: &'s Screen,
     title: &'s str,
 }
 
-impl Shown<'_> {
-    /// Presses a key and lets it go: one of Latin-1, or an X symbol. The same
-    /// key at once again would be taken for one that is held.
+impl TitledWindow<'_> {
+    /// Presses and releases a key, given as a Latin-1 character or an X key symbol.
+    ///
+    /// Wait for a reaction before pressing the same key again: SDL takes two quick presses for a
+    /// held key.
     pub(crate) fn press(&self, symbol: u32) -> Outcome {
         let key = self.screen.key(symbol)?;
         let connection = &self.screen.connection;
@@ -97,7 +97,7 @@ impl Shown<'_> {
         Ok(())
     }
 
-    /// What is on the screen where the window is.
+    /// Reads the pixels of the window; `None` if there is no such window.
     fn shot(&self) -> Outcome<Option<Shot>> {
         let Screen { connection, root } = self.screen;
         let Some(window) = self.screen.find(self.title)? else {
@@ -115,12 +115,12 @@ impl Shown<'_> {
         Ok(Some(Shot::new(width.into(), &image.data)))
     }
 
-    /// Waits for the screen to show it.
+    /// Waits until a condition holds for the window's pixels. `what` describes it in the error.
     pub(crate) fn wait_for(&self, what: &str, is_shown: impl Fn(&Shot) -> bool) -> Outcome<Shot> {
-        let deadline = Instant::now() + PATIENCE;
+        let deadline = Instant::now() + TIMEOUT;
         let mut last = None;
         while Instant::now() < deadline {
-            // A window that is replaced meanwhile is an error of X.
+            // X returns an error if the window is replaced during the request.
             last = self.shot().unwrap_or_default();
             if let Some(shot) = last.take_if(|shot| is_shown(shot)) {
                 return Ok(shot);
@@ -128,6 +128,10 @@ impl Shown<'_> {
             sleep(Duration::from_millis(20));
         }
         let file = last.ok_or("there is no window")?.save("failed")?;
-        Err(format!("never shown: {what}; there is {}", file.display()).into())
+        Err(format!(
+            "timeout waiting for {what}; the last picture is in {}",
+            file.display()
+        )
+        .into())
     }
 }

@@ -1,4 +1,4 @@
-//! Pictures of the screen.
+//! Screenshots of a window.
 
 use std::path::{Path, PathBuf};
 
@@ -12,15 +12,15 @@ use whitted::Color;
 use whitted_sim::picture::Picture;
 use whitted_sim::png16;
 
-use crate::screen::Outcome;
+use crate::outcome::Outcome;
 
-/// The width and height of what is above the text.
-const ROOM: [usize; 2] = [640, 480];
+/// Width and height of the area above the status text.
+const PICTURE_AREA: [usize; 2] = [640, 480];
 
-/// A color as a screen has it.
+/// 24-bit color.
 type Rgb = [u8; 3];
 
-/// What a window shows.
+/// Pixels of a window or a picture.
 #[derive(PartialEq)]
 pub(crate) struct Shot {
     width: usize,
@@ -28,14 +28,14 @@ pub(crate) struct Shot {
 }
 
 impl Shot {
-    /// From pixels as X sends them: blue, green, red, nothing.
+    /// Converts pixels in X's format: blue, green, red, unused.
     pub(crate) fn new(width: usize, bytes: &[u8]) -> Self {
         let (pixels, _) = bytes.as_chunks::<4>();
         let pixels = pixels.iter().map(|[b, g, r, _]| [*r, *g, *b]).collect();
         Self { width, pixels }
     }
 
-    /// From a PNG of 8 bits a channel.
+    /// Reads a PNG with 8 bits per channel.
     pub(crate) fn read(path: &Path) -> Outcome<Self> {
         let Picture { width, pixels, .. } = png16::read(path)?;
         let rgb =
@@ -45,7 +45,7 @@ impl Shot {
         Ok(Self { width, pixels })
     }
 
-    /// Writes a PNG, to be looked at.
+    /// Writes a PNG for inspection and returns its path.
     pub(crate) fn save(&self, name: &str) -> Outcome<PathBuf> {
         let path = Path::new(env!("CARGO_TARGET_TMPDIR"))
             .join(name)
@@ -67,14 +67,17 @@ impl Shot {
         &self.pixels[y * self.width + x..][..width]
     }
 
-    /// Whether the picture is in the middle of what is above the text.
+    /// Returns true if the picture is centered in the area above the status text.
     pub(crate) fn shows(&self, picture: &Self) -> bool {
         let (width, height) = (picture.width, picture.height());
-        let (left, top) = ((ROOM[0] - width) / 2, (ROOM[1] - height) / 2);
+        let (left, top) = (
+            (PICTURE_AREA[0] - width) / 2,
+            (PICTURE_AREA[1] - height) / 2,
+        );
         (0..height).all(|y| self.row(top + y, left, width) == picture.row(y, 0, width))
     }
 
-    /// Whether a line of this text is below the picture, in this color.
+    /// Returns true if the status text has a line with this text and color.
     pub(crate) fn says(&self, text: &str, color: Rgb) -> bool {
         let mask = Mask::of(text);
         let is_at = |x: usize, y: usize| {
@@ -88,11 +91,11 @@ impl Shot {
             self.width.saturating_sub(mask.width),
             self.height() - mask.lit.len() / mask.width,
         );
-        (ROOM[1]..bottom).any(|y| (0..right).any(|x| is_at(x, y)))
+        (PICTURE_AREA[1]..bottom).any(|y| (0..right).any(|x| is_at(x, y)))
     }
 }
 
-/// Which pixels of a text are lit.
+/// Pixels that a line of text covers.
 struct Mask {
     width: usize,
     lit: Vec<bool>,

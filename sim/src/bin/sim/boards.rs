@@ -1,14 +1,14 @@
-//! What a frame would take on microcontrollers.
+//! Estimates of frame times on microcontrollers.
 
 use whitted_sim::cost::{BOARDS, Model, Work};
 
 use crate::number::{duration, two_digits};
 use crate::outcome::Outcome;
 
-/// Prints an estimate for each core, at the clock of a chip that has it.
+/// Prints an estimate for each core, at the clock rate of a chip with that core.
 pub(crate) fn print(work: &Work) -> Outcome {
     let model = Model::committed()?;
-    println!("estimates, without the display's driver and waits for flash (docs/cost-model.md):");
+    println!("estimates, without display driver and flash wait states (docs/cost-model.md):");
     for board in BOARDS {
         let Some(core) = model.core(board.core) else {
             continue;

@@ -1,16 +1,15 @@
-//! Displays that are in use: what a picture looks like on each.
+//! Presets of common displays.
 
 mod look;
 
-use clap::ValueEnum;
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics_simulator::BinaryColorTheme;
 use whitted_sim::scene_file;
 
-use crate::args::Format;
+use crate::format::Format;
 
-/// A display, as far as its picture is concerned.
+/// Size, format and appearance of a display.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Display {
     pub(crate) name: &'static str,
@@ -18,19 +17,19 @@ pub(crate) struct Display {
     pub(crate) format: Format,
     controller: &'static str,
     note: &'static str,
-    /// Whether only the circle within the size is there.
+    /// True if only the circle inscribed in the size is visible.
     is_round: bool,
-    /// What both colors of a display of one bit look like.
+    /// Colors of a one-bit display.
     theme: BinaryColorTheme,
 }
 
-/// White paper and black ink, as they are in a room.
+/// Colors of e-paper in indoor light.
 const PAPER: BinaryColorTheme = BinaryColorTheme::Custom {
     color_off: Rgb888::new(0x2b, 0x2a, 0x2c),
     color_on: Rgb888::new(0xe2, 0xe0, 0xd8),
 };
 
-/// The presets, from small to large.
+/// Presets, sorted by size.
 pub(crate) const DISPLAYS: [Display; 7] = [
     Display {
         theme: BinaryColorTheme::OledBlue,
@@ -111,31 +110,27 @@ const fn display(
 }
 
 impl Display {
-    /// One that shows the colors as they are.
+    /// Returns a display without a color theme or mask.
     pub(crate) const fn plain(size: Size, format: Format) -> Self {
         display("plain", (size.width, size.height), format, "", "")
     }
 
-    /// The preset of this name.
+    /// Returns the preset with a name.
     pub(crate) fn named(name: &str) -> Result<Self, String> {
         let names = || DISPLAYS.iter().map(|display| display.name);
         let found = DISPLAYS.iter().find(|display| display.name == name);
         found
             .copied()
             .ok_or_else(|| match scene_file::nearest(name, names()) {
-                Some(name) => format!("did you mean `{name}`? `cargo sim displays` lists them"),
-                None => "`cargo sim displays` lists them".to_owned(),
+                Some(name) => {
+                    format!("did you mean `{name}`? `cargo sim displays` lists all displays")
+                }
+                None => "`cargo sim displays` lists all displays".to_owned(),
             })
     }
 }
 
-/// What a format is called on the command line.
-pub(crate) fn format_name(format: Format) -> String {
-    let value = format.to_possible_value();
-    value.map_or_else(String::new, |value| value.get_name().to_owned())
-}
-
-/// Prints the presets.
+/// Prints the presets, one per line.
 pub(crate) fn list() {
     for display in DISPLAYS {
         let Size { width, height } = display.size;
@@ -143,7 +138,7 @@ pub(crate) fn list() {
             "{:8} {:8} {:7} {:8} {}",
             display.name,
             format!("{width}x{height}"),
-            format_name(display.format),
+            display.format.name(),
             display.controller,
             display.note
         );

@@ -6,7 +6,7 @@ use crate::args::Explain;
 use crate::open::Scene;
 use crate::outcome::Outcome;
 
-/// Prints the tree of rays of a pixel.
+/// Prints the ray tree of a pixel.
 pub(crate) fn explain(options: &Explain) -> Outcome {
     let Explain { scene, x, y, .. } = options;
     let scene = Scene::open(scene)?;
@@ -17,8 +17,8 @@ pub(crate) fn explain(options: &Explain) -> Outcome {
         let Size { width, height } = size;
         let (right, bottom) = (width - 1, height - 1);
         return Err(format!(
-            "pixel {x} {y}: outside of the picture of {width}x{height}
-  help: x is from 0 to {right}, y from 0 to {bottom}; another --size has other pixels"
+            "pixel {x} {y}: outside the picture of {width}x{height}
+  help: x must be from 0 to {right}, y from 0 to {bottom}; `--size` sets the size"
         )
         .into());
     };

@@ -1,4 +1,4 @@
-//! `sim gallery`: many scenes, a page of them, and a sheet of thumbnails.
+//! `sim gallery`: renders scenes, an HTML page that shows them, and a contact sheet.
 
 mod page;
 mod sheet;
@@ -11,7 +11,7 @@ use embedded_graphics::geometry::Size;
 use whitted::observer::Stats;
 use whitted_sim::scene_file::Buffer;
 
-use crate::args::{Gallery, Passes, Shown};
+use crate::args::{DisplayOptions, Gallery, Passes};
 use crate::draw::{Drawing, draw};
 use crate::open::{Scene, all_scenes};
 use crate::outcome::Outcome;
@@ -32,7 +32,7 @@ pub(crate) fn gallery(options: &Gallery) -> Outcome {
     };
     let names = names(scenes)?;
     fs::create_dir_all(output)
-        .map_err(|error| format!("{}: cannot be made: {error}", output.display()))?;
+        .map_err(|error| format!("{}: cannot be created: {error}", output.display()))?;
     let mut sheet = Sheet::new(scenes.len(), *size);
     let mut entries = Vec::new();
     for (path, name) in scenes.iter().zip(names) {
@@ -58,32 +58,37 @@ pub(crate) fn gallery(options: &Gallery) -> Outcome {
 fn render(scene: &Scene, size: Size) -> Outcome<Drawing> {
     let mut buffer = Box::new(Buffer::new());
     let prepared = scene.prepare(&mut buffer)?;
-    draw(&prepared, size, Shown::default(), Passes::default())
+    draw(
+        &prepared,
+        size,
+        DisplayOptions::default(),
+        Passes::default(),
+    )
 }
 
 fn rays(stats: &Stats) -> u64 {
     let Stats {
-        camera: eye,
+        camera,
         reflected,
         transmitted,
         shadow,
         ..
     } = *stats;
-    [eye, reflected, transmitted, shadow]
+    [camera, reflected, transmitted, shadow]
         .map(u64::from)
         .iter()
         .sum()
 }
 
-/// What the scenes' pictures are called; no two may be called the same.
+/// Returns the names of the pictures, or an error if two scenes have the same name.
 fn names(scenes: &[PathBuf]) -> Outcome<Vec<String>> {
     let mut names = Vec::new();
     for path in scenes {
         let stem = path.file_stem().unwrap_or(path.as_os_str());
         let name = stem.to_string_lossy().into_owned();
         if names.contains(&name) || Path::new(sheet::FILE).file_stem() == Some(stem) {
-            let help = "leave it out, or give its file another name";
-            let reason = format!("there is another picture `{name}.png`");
+            let help = "remove it from the command line, or rename the file";
+            let reason = format!("the name `{name}.png` is already taken");
             return Err(format!("{}: {reason}\n  help: {help}", path.display()).into());
         }
         names.push(name);

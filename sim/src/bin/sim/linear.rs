@@ -1,4 +1,4 @@
-//! Rendering to linear light, before any display's format.
+//! Renders to linear colors, without a display's format.
 
 use std::time::Duration;
 
@@ -13,14 +13,14 @@ use crate::draw::two_lines;
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 
-/// A picture in linear light and what it took.
+/// Picture in linear colors, the work that it took, and the time.
 pub(crate) struct Linear {
     pub(crate) picture: Picture,
     pub(crate) work: Work,
     pub(crate) time: Duration,
 }
 
-/// Renders to linear 16-bit samples.
+/// Renders with 16-bit linear samples.
 pub(crate) fn linear(
     scene: &PreparedScene<'_>,
     size: Size,

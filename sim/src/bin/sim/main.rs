@@ -1,7 +1,9 @@
-//! The host simulator: renders and animates scene files, compares pictures, explains pixels,
-//! checks and compiles scenes, sends them to boards.
+//! Host simulator: renders and animates scene files, compares pictures, prints ray trees, checks
+//! and compiles scenes, and sends them to boards.
 //!
+//! ```text
 //! args ── open (scene) ── draw or linear ──> display ──> PNG, terminal, window
+//! ```
 
 mod animate;
 mod args;
@@ -10,6 +12,7 @@ mod compare;
 mod display;
 mod draw;
 mod explain;
+mod format;
 mod gallery;
 mod linear;
 mod memory;

@@ -3,8 +3,10 @@ use std::mem::{align_of, size_of};
 use whitted::SceneBuffer;
 use whitted::scene::SceneCounts;
 
-/// The bytes of a `SceneBuffer` that just holds so many objects, lights and
-/// materials: so many for each, and for each object that a light sees.
+/// Returns the size in bytes of a `SceneBuffer` with these capacities.
+///
+/// The size is a sum of bytes per object, light, material, and pair of light and object. The
+/// function measures them on small buffers, since const generics cannot take the counts.
 pub(crate) fn memory(counts: SceneCounts) -> usize {
     let SceneCounts {
         objects,
@@ -16,13 +18,13 @@ pub(crate) fn memory(counts: SceneCounts) -> usize {
     let object = (size_of::<SceneBuffer<8, 0, 0>>() - empty) / 8;
     let light = (size_of::<SceneBuffer<0, 8, 0>>() - empty) / 8;
     let material = (size_of::<SceneBuffer<0, 0, 8>>() - empty) / 8;
-    let both = size_of::<SceneBuffer<8, 8, 0>>() - empty;
-    let seen = (both - 8 * (object + light)) / 64;
+    let objects_and_lights = size_of::<SceneBuffer<8, 8, 0>>() - empty;
+    let pair = (objects_and_lights - 8 * (object + light)) / 64;
     let padded = |bytes: usize| bytes.next_multiple_of(align_of::<SceneBuffer<1, 1, 1>>());
     empty
         + padded(objects * object)
         + padded(lights * light)
-        + padded(lights * objects * seen)
+        + padded(lights * objects * pair)
         + padded(materials * material)
 }
 
@@ -31,7 +33,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_formula_is_that_of_the_buffer() {
+    fn matches_the_size_of_scene_buffers() {
         let memory = |objects, lights, materials| {
             let counts = SceneCounts::EMPTY.objects(objects).lights(lights);
             memory(counts.materials(materials))

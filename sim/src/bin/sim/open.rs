@@ -1,4 +1,4 @@
-//! Finds a scene and reads it, whichever of its two forms it has.
+//! Finds and reads scene files and compiled scenes.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -9,21 +9,21 @@ use whitted_sim::scene_file::{self, Buffer, SceneFile};
 use crate::args::Quality;
 use crate::outcome::Outcome;
 
-/// A scene as it was found.
+/// A scene file or a compiled scene.
 pub(crate) enum Scene {
-    /// Written by a person.
+    /// A scene file in TOML.
     File(Box<SceneFile>),
-    /// Written by `sim compile`.
+    /// Output of `sim compile`.
     Compiled { name: String, bytes: Vec<u8> },
 }
 
 impl Scene {
-    /// Opens a path, or else what the project's scenes have by this name.
+    /// Opens a scene by its path or by its name in scenes/.
     pub(crate) fn open(path: &Path) -> Outcome<Self> {
         Self::read(&find(path)?)
     }
 
-    /// Reads the file of a scene.
+    /// Reads a scene from a path. Files that do not end in .toml may be of either kind.
     pub(crate) fn read(path: &Path) -> Outcome<Self> {
         let name = path.display().to_string();
         if path
@@ -33,7 +33,7 @@ impl Scene {
             return Ok(Self::file(scene_file::load(path)?));
         }
         let bytes = fs::read(path).map_err(|error| format!("{name}: cannot be read: {error}"))?;
-        // Anything that does not claim to be compiled is taken for text.
+        // Text without the signature of a compiled scene is parsed as TOML.
         match (decode(&bytes), std::str::from_utf8(&bytes)) {
             (Err(DecodeError::NotAScene), Ok(text)) => {
                 Ok(Self::file(scene_file::parse(&name, text)?))
@@ -46,40 +46,36 @@ impl Scene {
         Self::File(Box::new(file))
     }
 
-    /// The scene ready to be rendered.
+    /// Prepares the scene for rendering.
     pub(crate) fn prepare<'b>(&'b self, buffer: &'b mut Buffer) -> Outcome<PreparedScene<'b>> {
         match self {
             Self::File(file) => Ok(file.prepare(buffer)?),
             Self::Compiled { name, bytes } => {
-                let help = "compile it anew with `cargo sim compile SCENE -o FILE`";
+                let help = "recompile it with `cargo sim compile SCENE -o FILE`";
                 let scene = buffer.decode(bytes);
                 scene.map_err(|error| format!("{name}: {error}\n  help: {help}").into())
             }
         }
     }
 
-    /// The scene ready to be rendered, with the options that overrule it.
+    /// Prepares the scene for rendering, with the ray limits of the command line.
     pub(crate) fn prepare_for<'b>(
         &'b self,
         quality: &Quality,
         buffer: &'b mut Buffer,
     ) -> Outcome<PreparedScene<'b>> {
         let mut scene = self.prepare(buffer)?;
-        overrule(&mut scene, quality)?;
+        apply_overrides(&mut scene, quality)?;
         Ok(scene)
     }
 
-    /// The scene in its compact form.
+    /// Compiles the scene to its binary format.
     pub(crate) fn compile(&self) -> Outcome<Vec<u8>> {
         let mut buffer = Box::new(Buffer::new());
-        let prepared = self.prepare(&mut buffer)?;
-        let mut bytes = vec![0; prepared.encoded_len()];
-        let length = prepared.encode(&mut bytes).unwrap_or_default();
-        bytes.truncate(length);
-        Ok(bytes)
+        Ok(scene_file::encode(&self.prepare(&mut buffer)?))
     }
 
-    /// What the scene calls itself.
+    /// Returns the title of the scene, if it has one.
     pub(crate) fn title(&self) -> Option<&str> {
         match self {
             Self::File(file) => file.title.as_deref(),
@@ -87,7 +83,7 @@ impl Scene {
         }
     }
 
-    /// More of an object than its number, if the scene knows more.
+    /// Returns the type and material of an object; a compiled scene has no names.
     pub(crate) fn describe(&self, object: u16) -> Option<String> {
         match self {
             Self::File(file) => file.describe(object),
@@ -96,8 +92,8 @@ impl Scene {
     }
 }
 
-/// Sets what the options say in place of the scene.
-pub(crate) fn overrule(scene: &mut PreparedScene<'_>, quality: &Quality) -> Outcome {
+/// Replaces the scene's ray limits by those of the command line.
+pub(crate) fn apply_overrides(scene: &mut PreparedScene<'_>, quality: &Quality) -> Outcome {
     if let Some(max_depth) = quality.max_depth {
         let set = scene.set_max_depth(max_depth);
         set.map_err(|error| format!("--max-depth {max_depth}: {}", error.problem))?;
@@ -113,16 +109,16 @@ fn decode(bytes: &[u8]) -> Result<(), DecodeError> {
     Buffer::new().decode(bytes).map(drop)
 }
 
-/// The project's root, and the scenes in it.
-fn places() -> [PathBuf; 2] {
+/// Returns the root of the project and its folder of scenes.
+fn project_folders() -> [PathBuf; 2] {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent();
     let root = root.unwrap_or(Path::new("."));
     [root.to_owned(), root.join("scenes")]
 }
 
-/// The project's scenes, by name.
+/// Returns the paths of the scenes in scenes/, sorted by name.
 pub(crate) fn all_scenes() -> Outcome<Vec<PathBuf>> {
-    let [_, scenes] = places();
+    let [_, scenes] = project_folders();
     let entries = fs::read_dir(&scenes)
         .map_err(|error| format!("{}: cannot be read: {error}", scenes.display()))?;
     let mut paths = Vec::new();
@@ -137,29 +133,29 @@ pub(crate) fn all_scenes() -> Outcome<Vec<PathBuf>> {
     Ok(paths)
 }
 
-/// The path itself; or the same seen from the project's root; or a scene of
-/// that name in scenes/.
+/// Finds a scene: the path itself, the path relative to the project's root, or a file or name in
+/// scenes/.
 pub(crate) fn find(path: &Path) -> Outcome<PathBuf> {
-    let [root, scenes] = places();
+    let [root, scenes] = project_folders();
     let mut named = scenes.join(path).into_os_string();
     named.push(".toml");
-    let places = [
+    let candidates = [
         path.to_owned(),
         root.join(path),
         scenes.join(path),
         named.into(),
     ];
-    if let Some(found) = places
+    if let Some(found) = candidates
         .into_iter()
-        .find(|place| place.exists() && !place.is_dir())
+        .find(|path| path.exists() && !path.is_dir())
     {
         return Ok(found);
     }
-    Err(format!("{}: no such scene{}", path.display(), advice(path)).into())
+    Err(format!("{}: no such scene{}", path.display(), help(path)).into())
 }
 
-/// Names the scene that was most likely meant.
-fn advice(path: &Path) -> String {
+/// Returns the help text for an unknown scene: the nearest name, or all names.
+fn help(path: &Path) -> String {
     let stem = |path: &Path| Some(path.file_stem()?.to_str()?.to_owned());
     let scenes = all_scenes().unwrap_or_default();
     let names: Vec<_> = scenes.iter().filter_map(|path| stem(path)).collect();
@@ -167,6 +163,6 @@ fn advice(path: &Path) -> String {
     match scene_file::nearest(&wanted, names.iter().map(String::as_str)) {
         Some(name) => format!("\n  help: did you mean `scenes/{name}.toml`?"),
         None if names.is_empty() => String::new(),
-        None => format!("\n  help: scenes/ has {}", names.join(", ")),
+        None => format!("\n  help: the scenes in scenes/ are {}", names.join(", ")),
     }
 }

@@ -1,4 +1,4 @@
 use std::error::Error;
 
-/// What a command comes to. Each error names the file or the option.
+/// Result of a command. Each error names the file or the option.
 pub(crate) type Outcome<T = ()> = Result<T, Box<dyn Error>>;

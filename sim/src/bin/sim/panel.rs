@@ -1,4 +1,7 @@
-//! A display of whichever format, for which the ray tracer is compiled once.
+//! Draw target whose color format is chosen at run time.
+//!
+//! The renderer is generic over the color type. A single color type that stores the radiance
+//! avoids compiling the renderer once per format.
 
 use std::convert::Infallible;
 
@@ -11,55 +14,55 @@ use embedded_graphics_simulator::SimulatorDisplay;
 use whitted::render::Output;
 use whitted::{Color, Radiance};
 
-use crate::args::Format;
+use crate::format::Format;
 
-/// A display that shows colors in its format.
+/// Simulated display of a format.
 pub(crate) struct Panel {
     pub(crate) display: SimulatorDisplay<Rgb888>,
     pub(crate) format: Format,
 }
 
-/// A color on its way to a display.
+/// Radiance of a pixel, to be converted to the display's format.
 #[derive(Clone, Copy, PartialEq)]
-pub(crate) struct Light {
+pub(crate) struct DeferredColor {
     color: Color<Radiance>,
     at: Point,
     output: Output,
 }
 
-impl PixelColor for Light {
+impl PixelColor for DeferredColor {
     type Raw = ();
 }
 
-impl whitted::render::DisplayColor for Light {
+impl whitted::render::DisplayColor for DeferredColor {
     #[inline]
     fn from_radiance(color: Color<Radiance>, at: Point, output: Output) -> Self {
         Self { color, at, output }
     }
 }
 
-impl Light {
-    /// What a display of the format makes of it.
-    fn on(self, format: Format) -> Rgb888 {
+impl DeferredColor {
+    /// Converts the color to a format, and back to 24 bits.
+    fn convert(self, format: Format) -> Rgb888 {
         match format {
-            Format::Rgb888 => self.shown::<Rgb888>(),
-            Format::Rgb666 => self.shown::<Rgb666>(),
-            Format::Rgb565 => self.shown::<Rgb565>(),
-            Format::Rgb555 => self.shown::<Rgb555>(),
-            Format::Gray8 => self.shown::<Gray8>(),
-            Format::Gray4 => self.shown::<Gray4>(),
-            Format::Gray2 => self.shown::<Gray2>(),
-            Format::Binary => self.shown::<BinaryColor>(),
+            Format::Rgb888 => self.convert_as::<Rgb888>(),
+            Format::Rgb666 => self.convert_as::<Rgb666>(),
+            Format::Rgb565 => self.convert_as::<Rgb565>(),
+            Format::Rgb555 => self.convert_as::<Rgb555>(),
+            Format::Gray8 => self.convert_as::<Gray8>(),
+            Format::Gray4 => self.convert_as::<Gray4>(),
+            Format::Gray2 => self.convert_as::<Gray2>(),
+            Format::Binary => self.convert_as::<BinaryColor>(),
         }
     }
 
-    fn shown<C: whitted::render::DisplayColor + Into<Rgb888>>(self) -> Rgb888 {
+    fn convert_as<C: whitted::render::DisplayColor + Into<Rgb888>>(self) -> Rgb888 {
         C::from_radiance(self.color, self.at, self.output).into()
     }
 }
 
 impl Panel {
-    /// A dark display.
+    /// Creates a black display.
     pub(crate) fn new(size: Size, format: Format) -> Self {
         Self {
             display: SimulatorDisplay::new(size),
@@ -75,24 +78,24 @@ impl OriginDimensions for Panel {
 }
 
 impl DrawTarget for Panel {
-    type Color = Light;
+    type Color = DeferredColor;
     type Error = Infallible;
 
     fn draw_iter<I>(&mut self, pixels: I) -> Result<(), Self::Error>
     where
-        I: IntoIterator<Item = Pixel<Light>>,
+        I: IntoIterator<Item = Pixel<DeferredColor>>,
     {
         let Self { display, format } = self;
         let pixels = pixels.into_iter();
-        display.draw_iter(pixels.map(|Pixel(at, light)| Pixel(at, light.on(*format))))
+        display.draw_iter(pixels.map(|Pixel(at, color)| Pixel(at, color.convert(*format))))
     }
 
     fn fill_contiguous<I>(&mut self, area: &Rectangle, colors: I) -> Result<(), Self::Error>
     where
-        I: IntoIterator<Item = Light>,
+        I: IntoIterator<Item = DeferredColor>,
     {
         let Self { display, format } = self;
         let colors = colors.into_iter();
-        display.fill_contiguous(area, colors.map(|light| light.on(*format)))
+        display.fill_contiguous(area, colors.map(|color| color.convert(*format)))
     }
 }

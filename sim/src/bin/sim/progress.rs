@@ -2,7 +2,7 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-/// A bar on stderr, for work that takes longer than a second.
+/// Progress bar on stderr, shown for work that takes longer than a second.
 pub(crate) struct Progress {
     start: Instant,
     lines: u64,
@@ -11,7 +11,7 @@ pub(crate) struct Progress {
 }
 
 impl Progress {
-    /// The work begins.
+    /// Starts the clock for a number of lines.
     pub(crate) fn new(lines: impl Into<u64>) -> Self {
         Self {
             start: Instant::now(),
@@ -21,7 +21,7 @@ impl Progress {
         }
     }
 
-    /// A line is done.
+    /// Counts a finished line.
     pub(crate) fn line(&mut self) {
         self.done += 1;
         if self.start.elapsed() > Duration::from_secs(1) {
@@ -31,7 +31,7 @@ impl Progress {
         }
     }
 
-    /// The work is done: how long it took.
+    /// Removes the bar and returns the elapsed time.
     pub(crate) fn finish(self) -> Duration {
         if let Some(bar) = self.bar {
             bar.finish_and_clear();

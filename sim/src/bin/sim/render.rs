@@ -1,4 +1,4 @@
-//! `sim render`, and `sim` alone.
+//! `sim render`, and `sim` without a command.
 
 use std::path::{Path, PathBuf};
 
@@ -6,7 +6,7 @@ use embedded_graphics::geometry::Size;
 use whitted_sim::scene_file::Buffer;
 use whitted_sim::{png16, render as library};
 
-use crate::args::{Passes, Render, Shown};
+use crate::args::{DisplayOptions, Passes, Render};
 use crate::display::Display;
 use crate::draw::draw;
 use crate::linear::linear;
@@ -14,7 +14,7 @@ use crate::open::Scene;
 use crate::outcome::Outcome;
 use crate::{report, terminal};
 
-/// Renders the project's first scene and shows it.
+/// Renders scenes/whitted.toml to whitted.png and shows it in the terminal.
 pub(crate) fn default_scene() -> Outcome {
     let scene = Scene::open(Path::new("whitted"))?;
     let mut buffer = Box::new(Buffer::new());
@@ -22,7 +22,7 @@ pub(crate) fn default_scene() -> Outcome {
     let drawing = draw(
         &prepared,
         Size::new(320, 240),
-        Shown::default(),
+        DisplayOptions::default(),
         Passes::default(),
     )?;
     terminal::show(&drawing.image)?;
@@ -40,7 +40,7 @@ pub(crate) fn render(options: &Render) -> Outcome {
     let output = options
         .output
         .clone()
-        .unwrap_or_else(|| named_after(&options.scene));
+        .unwrap_or_else(|| default_output(&options.scene));
     let checksum = if options.linear16 {
         let linear = linear(&prepared, size, samples)?;
         png16::write(&output, &linear.picture)?;
@@ -51,24 +51,24 @@ pub(crate) fn render(options: &Render) -> Outcome {
         library::checksum(&linear.picture)
     } else {
         let display = options.display;
-        let display = display.unwrap_or_else(|| Display::plain(size, options.shown.format));
-        let mut shown = options.shown;
-        shown.format = display.format;
-        let drawing = draw(&prepared, display.size, shown, options.passes)?;
-        report::save(&display.shown(&drawing.image, options.scale), &output)?;
+        let display =
+            display.unwrap_or_else(|| Display::plain(size, options.display_options.format));
+        let display_options = options.display_options.with_format(display.format);
+        let drawing = draw(&prepared, display.size, display_options, options.passes)?;
+        report::save(&display.appearance(&drawing.image, options.scale), &output)?;
         if !options.stats {
             return Ok(());
         }
         report::stats(&drawing.work, drawing.time)?;
-        // The checksum is of linear samples, which a display does not keep.
+        // The checksum is defined on linear samples, so the scene is rendered again.
         library::checksum(&linear(&prepared, display.size, samples)?.picture)
     };
     report::checksum(checksum);
     Ok(())
 }
 
-/// A PNG in the current directory.
-fn named_after(scene: &Path) -> PathBuf {
+/// Returns the default output: a PNG in the current directory, named after the scene.
+fn default_output(scene: &Path) -> PathBuf {
     let stem = scene.file_stem().unwrap_or(scene.as_os_str());
     Path::new(stem).with_extension("png")
 }

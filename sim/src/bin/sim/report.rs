@@ -9,13 +9,13 @@ use whitted_sim::cost::Work;
 use crate::boards;
 use crate::outcome::Outcome;
 
-/// Says where a picture was written.
+/// Prints the path of a written file.
 pub(crate) fn wrote(path: &Path) {
     let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
     println!("wrote {}", path.display());
 }
 
-/// Writes a display's picture as a PNG, and says where.
+/// Writes a picture as a PNG and prints its path.
 pub(crate) fn save(image: &OutputImage<Rgb888>, path: &Path) -> Outcome {
     image
         .save_png(path)
@@ -24,23 +24,25 @@ pub(crate) fn save(image: &OutputImage<Rgb888>, path: &Path) -> Outcome {
     Ok(())
 }
 
-/// Prints what a rendering took.
+/// Prints rays, intersection tests, time, and estimates for microcontrollers.
 pub(crate) fn stats(work: &Work, time: Duration) -> Outcome {
     let Stats {
-        camera: eye,
+        camera,
         reflected,
         transmitted,
         shadow,
         intersections,
         ..
     } = work.stats;
-    println!("rays: {eye} eye, {reflected} reflected, {transmitted} transmitted, {shadow} shadow");
+    println!(
+        "rays: {camera} camera, {reflected} reflected, {transmitted} transmitted, {shadow} shadow"
+    );
     println!("intersection tests: {intersections}");
     println!("time: {:.3} s", time.as_secs_f64());
     boards::print(work)
 }
 
-/// Prints the checksum of linear samples.
+/// Prints the checksum of a picture's linear samples.
 pub(crate) fn checksum(checksum: u32) {
     println!("checksum: {checksum:08x}");
 }

@@ -1,4 +1,4 @@
-//! Commands about the scene itself.
+//! `sim check` and `sim compile`.
 
 use std::fs;
 use std::path::Path;
@@ -10,7 +10,7 @@ use crate::memory::memory;
 use crate::open::Scene;
 use crate::outcome::Outcome;
 
-/// Says that a scene is fine, or what is wrong with it.
+/// Checks a scene and prints its counts and memory use.
 pub(crate) fn check(path: &Path) -> Outcome {
     let scene = Scene::open(path)?;
     let mut buffer = Box::new(Buffer::new());
@@ -39,7 +39,7 @@ fn count(count: usize, name: &str) -> String {
     format!("{count} {name}{plural}")
 }
 
-/// Writes a scene's compiled form.
+/// Compiles a scene to a file.
 pub(crate) fn compile(path: &Path, output: &Path) -> Outcome {
     let bytes = Scene::open(path)?.compile()?;
     let length = bytes.len();

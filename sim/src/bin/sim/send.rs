@@ -1,4 +1,4 @@
-//! Sends a scene to a board, by a serial port, and tells what it says.
+//! `sim send`: sends a scene to a board over a serial port and prints the answer.
 
 use std::io::ErrorKind;
 use std::path::Path;
@@ -11,35 +11,37 @@ use crate::args::Send;
 use crate::open::Scene;
 use crate::outcome::Outcome;
 
-/// A board looks at what came after each line, which takes two seconds at most.
-const PATIENCE: Duration = Duration::from_secs(5);
+/// Time limit for an answer. A board reads the port after each line that it renders; a line takes
+/// at most two seconds.
+const ANSWER_TIMEOUT: Duration = Duration::from_secs(5);
 
-/// USB has no such thing, but ports want one.
+/// Baud rate. USB ignores it, but opening a port requires one.
 const BAUD: u32 = 115_200;
 
-const NOBODY: &str = "nothing answers
-  help: is it the board's port, and its firmware that of boards/pico? (`cargo run --release` there)";
+const NO_ANSWER: &str = "the board does not answer
+  help: check that this is the board's port and that the board runs the firmware of boards/pico";
 const REFUSED: &str = "
   help: flash firmware of the same version as this program, or leave something out of the scene";
-const BROKEN: &str = "\n  help: send it again; if that does not help, try another cable";
+const DAMAGED: &str = "\n  help: send the scene again; if that fails, try another cable";
 
+/// Compiles a scene, sends it, and waits for the board's answer.
 pub(crate) fn send(options: &Send) -> Outcome {
     let compiled = Scene::open(&options.scene)?.compile()?;
     let Some(path) = &options.port else {
-        return Err(format!("no port: name it by `--port`{}", ports()).into());
+        return Err(format!("no port given: name it with `--port`{}", ports_help()).into());
     };
     let port = open(path)?;
-    let said = exchange(&port, &compiled).map_err(|why| format!("{}: {why}", path.display()))?;
-    println!("{}: {said}", path.display());
+    let answer = exchange(&port, &compiled).map_err(|why| format!("{}: {why}", path.display()))?;
+    println!("{}: {answer}", path.display());
     Ok(())
 }
 
 fn open(path: &Path) -> Result<SerialPort, String> {
     SerialPort::open(path, BAUD).map_err(|error| {
         let help = match error.kind() {
-            ErrorKind::NotFound => ports(),
+            ErrorKind::NotFound => ports_help(),
             ErrorKind::PermissionDenied => {
-                "\n  help: on Linux, ports are for members of the group dialout or uucp".to_owned()
+                "\n  help: on Linux, join the group that may use ports, dialout or uucp".to_owned()
             }
             _ => String::new(),
         };
@@ -47,67 +49,70 @@ fn open(path: &Path) -> Result<SerialPort, String> {
     })
 }
 
-/// Advice that names the ports that there are.
-fn ports() -> String {
+/// Returns the help text that lists the available ports.
+fn ports_help() -> String {
     let ports = SerialPort::available_ports().unwrap_or_default();
     let names: Vec<_> = ports
         .iter()
         .map(|port| port.display().to_string())
         .collect();
     match names.is_empty() {
-        true => "\n  help: there is no serial port; is the board plugged in?".to_owned(),
-        false => format!("\n  help: there are {}", names.join(", ")),
+        true => "\n  help: no serial port found; check that the board is plugged in".to_owned(),
+        false => format!("\n  help: the available ports are {}", names.join(", ")),
     }
 }
 
-/// Sends, and waits for the answer.
+/// Sends a compiled scene and waits for the board's answer.
 fn exchange(port: &SerialPort, compiled: &[u8]) -> Result<&'static str, String> {
     let ticket = ticket();
     let mut bytes = vec![0; frame_len(compiled.len())];
-    let frame = frame(ticket, compiled, &mut bytes).ok_or("the scene is too long")?;
+    let frame = frame(ticket, compiled, &mut bytes).ok_or("the scene is too large to send")?;
     match port.write_all(frame) {
-        Err(error) if error.kind() == ErrorKind::TimedOut => return Err(NOBODY.to_owned()),
+        Err(error) if error.kind() == ErrorKind::TimedOut => return Err(NO_ANSWER.to_owned()),
         written => written.map_err(|error| error.to_string())?,
     }
 
-    let deadline = Instant::now() + PATIENCE;
+    let deadline = Instant::now() + ANSWER_TIMEOUT;
     let mut lines = Lines {
         port,
         bytes: Vec::new(),
     };
-    let mut broken = None;
-    while let Some(line) = lines.before(deadline)? {
+    let mut damaged = None;
+    while let Some(line) = lines.next_before(deadline)? {
         match Answer::parse(&line) {
-            Some(Answer::Shown { ticket: its }) if its == ticket => return Ok("shown"),
-            Some(Answer::Refused { ticket: its, why }) if its == ticket => {
+            Some(Answer::Shown { ticket: received }) if received == ticket => return Ok("shown"),
+            Some(Answer::Refused {
+                ticket: received,
+                why,
+            }) if received == ticket => {
                 return Err(format!("the board refuses the scene: {why}{REFUSED}"));
             }
-            // Perhaps what somebody else began to send, before.
+            // An earlier, interrupted transfer may have caused this answer.
             Some(Answer::Broken { why }) => {
-                broken = Some(format!("the scene did not arrive: {why}{BROKEN}"));
+                damaged = Some(format!("the scene did not arrive: {why}{DAMAGED}"));
             }
             _ => {}
         }
     }
-    Err(broken.unwrap_or_else(|| NOBODY.to_owned()))
+    Err(damaged.unwrap_or_else(|| NO_ANSWER.to_owned()))
 }
 
-/// A number that the last transfer most likely did not have.
+/// Returns a number that very likely differs from the last transfer's: milliseconds modulo 2^16.
 fn ticket() -> u16 {
     let since = SystemTime::now().duration_since(UNIX_EPOCH);
     since.unwrap_or_default().as_millis() as u16
 }
 
-/// What a port says.
+/// Reader of the lines that a port receives.
 struct Lines<'p> {
     port: &'p SerialPort,
-    /// What came after the last line.
+    /// Bytes received after the last complete line.
     bytes: Vec<u8>,
 }
 
 impl Lines<'_> {
-    /// The next line, if it comes in time.
-    fn before(&mut self, deadline: Instant) -> Result<Option<String>, String> {
+    /// Returns the next line, or `None` if the deadline passes first.
+    fn next_before(&mut self, deadline: Instant) -> Result<Option<String>, String> {
         loop {
             if let Some(end) = self.bytes.iter().position(|byte| *byte == b'\n') {
                 let line: Vec<u8> = self.bytes.drain(..=end).collect();
@@ -118,10 +123,10 @@ impl Lines<'_> {
             if Instant::now() > deadline {
                 return Ok(None);
             }
-            let mut some = [0; 256];
-            match self.port.read(&mut some) {
+            let mut chunk = [0; 256];
+            match self.port.read(&mut chunk) {
                 Ok(0) => return Err("the port was closed".to_owned()),
-                Ok(length) => self.bytes.extend(some.iter().take(length)),
+                Ok(length) => self.bytes.extend(chunk.iter().take(length)),
                 Err(error) if error.kind() == ErrorKind::TimedOut => {}
                 Err(error) => return Err(error.to_string()),
             }

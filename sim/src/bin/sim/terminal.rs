@@ -7,10 +7,10 @@ use image::{DynamicImage, ImageBuffer};
 
 use crate::outcome::Outcome;
 
-/// Columns to take where a terminal does not know how many it has.
-const LEAST_WIDTH: u16 = 40;
+/// Width in columns, used if the terminal reports a smaller one or none.
+const MIN_WIDTH: u16 = 40;
 
-/// Shows a picture if stdout is a terminal: there would be escapes in a pipe.
+/// Shows a picture if stdout is a terminal; a pipe would receive escape sequences.
 pub(crate) fn show(picture: &OutputImage<Rgb888>) -> Outcome {
     if !stdout().is_terminal() || variable("TERM") == "dumb" {
         return Ok(());
@@ -22,17 +22,19 @@ pub(crate) fn show(picture: &OutputImage<Rgb888>) -> Outcome {
     };
     let config = viuer::Config {
         absolute_offset: false,
-        use_kitty: knows_kitty(),
-        width: (viuer::terminal_size().0 < LEAST_WIDTH).then_some(LEAST_WIDTH.into()),
+        use_kitty: supports_kitty(),
+        width: (viuer::terminal_size().0 < MIN_WIDTH).then_some(MIN_WIDTH.into()),
         ..viuer::Config::default()
     };
     viuer::print(&DynamicImage::ImageRgb8(buffer), &config)?;
     Ok(())
 }
 
-/// Whether the terminal draws pixels by kitty's protocol. Asked of the
-/// environment, since a terminal that does not answer would be waited for.
-fn knows_kitty() -> bool {
+/// Returns true if the terminal supports kitty's graphics protocol.
+///
+/// The test reads environment variables. A query to the terminal would block if it does not
+/// answer.
+fn supports_kitty() -> bool {
     let names = ["TERM", "TERM_PROGRAM"].map(variable);
     names
         .iter()

@@ -1,8 +1,8 @@
-//! `sim view`: the simulator as a workbench.
+//! `sim view`: shows scenes in a window, with keys for camera and display options.
 //!
 //! ```text
-//! window (SDL) ── keys ──> workbench ── scene files, frame drawn in steps ──> window
-//! watch (files) ── changed ──┘    └── status: what is said below the picture
+//! window (SDL) ── keys ──> workbench ── frame, drawn in steps ──> window
+//! watch (files) ── changes ──┘    └── status: text below the picture
 //! ```
 
 mod cycle;

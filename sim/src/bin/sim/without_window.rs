@@ -4,15 +4,15 @@ use std::process::{Command, exit};
 use crate::args::View;
 use crate::outcome::Outcome;
 
-const HOW: &str = "this build cannot open windows
+const HELP: &str = "this build cannot open windows
   help: install SDL 2 (Debian: apt install libsdl2-dev; macOS: brew install sdl2), then
         cargo run --release --package whitted-sim --features window -- view";
 
-/// Has Cargo build and run the program with windows, if it was Cargo that ran
-/// this one; else says how to.
+/// Runs `sim view` in a build with the feature `window`, if Cargo started this program. Otherwise
+/// returns an error that shows the command.
 pub(crate) fn view(_options: &View) -> Outcome {
     let Some(cargo) = env::var_os("CARGO") else {
-        return Err(HOW.into());
+        return Err(HELP.into());
     };
     let mut cargo = Command::new(cargo);
     cargo.args(["run", "--quiet", "--release", "--features", "window"]);
@@ -22,8 +22,8 @@ pub(crate) fn view(_options: &View) -> Outcome {
     ]);
     let status = cargo.arg("--").args(env::args_os().skip(1)).status()?;
     match status.code() {
-        // What Cargo ends with where the build fails.
-        Some(101) => Err(HOW.into()),
+        // Cargo exits with 101 if the build fails.
+        Some(101) => Err(HELP.into()),
         code => exit(code.unwrap_or(1)),
     }
 }

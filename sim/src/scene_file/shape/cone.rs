@@ -1,26 +1,25 @@
 use whitted::Shape;
 
-use super::Form;
 use crate::scene_file::error::LoadError;
-use crate::scene_file::keys::{Keys, Kind};
+use crate::scene_file::schema::TableSchema;
+use crate::scene_file::shape_reader::ShapeReader;
+use crate::scene_file::table::Table;
 
-pub(super) const FORM: Form = Form {
-    name: "cone",
-    kind: Kind {
+pub(super) const READER: ShapeReader = ShapeReader {
+    type_name: "cone",
+    schema: TableSchema {
         name: "a cone",
-        keys: &[
-            "type", "origin", "radius", "height", "y", "material", "checker", "name",
-        ],
+        keys: &["origin", "radius", "height", "y"],
     },
+    position_key: "origin",
     read,
 };
 
-fn read(keys: &Keys<'_>) -> Result<Shape, LoadError> {
-    let need = |key| keys.need(key, FORM.kind.name);
+fn read(table: &Table<'_>) -> Result<Shape, LoadError> {
     Ok(Shape::Cone {
-        origin: need("origin")?.vector()?,
-        radius: need("radius")?.number()?,
-        height: need("height")?.number()?,
-        y: keys.get("y").map(|y| y.interval()).transpose()?,
+        origin: table.need("origin")?.vector()?,
+        radius: table.need("radius")?.number()?,
+        height: table.need("height")?.number()?,
+        y: table.get("y").map(|y| y.interval()).transpose()?,
     })
 }

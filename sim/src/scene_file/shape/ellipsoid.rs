@@ -1,22 +1,23 @@
 use whitted::Shape;
 
-use super::Form;
 use crate::scene_file::error::LoadError;
-use crate::scene_file::keys::{Keys, Kind};
+use crate::scene_file::schema::TableSchema;
+use crate::scene_file::shape_reader::ShapeReader;
+use crate::scene_file::table::Table;
 
-pub(super) const FORM: Form = Form {
-    name: "ellipsoid",
-    kind: Kind {
+pub(super) const READER: ShapeReader = ShapeReader {
+    type_name: "ellipsoid",
+    schema: TableSchema {
         name: "an ellipsoid",
-        keys: &["type", "center", "radii", "material", "checker", "name"],
+        keys: &["center", "radii"],
     },
+    position_key: "center",
     read,
 };
 
-fn read(keys: &Keys<'_>) -> Result<Shape, LoadError> {
-    let need = |key| keys.need(key, FORM.kind.name);
+fn read(table: &Table<'_>) -> Result<Shape, LoadError> {
     Ok(Shape::Ellipsoid {
-        center: need("center")?.vector()?,
-        radii: need("radii")?.vector()?,
+        center: table.need("center")?.vector()?,
+        radii: table.need("radii")?.vector()?,
     })
 }

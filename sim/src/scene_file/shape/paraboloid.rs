@@ -1,22 +1,23 @@
 use whitted::Shape;
 
-use super::Form;
 use crate::scene_file::error::LoadError;
-use crate::scene_file::keys::{Keys, Kind};
+use crate::scene_file::schema::TableSchema;
+use crate::scene_file::shape_reader::ShapeReader;
+use crate::scene_file::table::Table;
 
-pub(super) const FORM: Form = Form {
-    name: "paraboloid",
-    kind: Kind {
+pub(super) const READER: ShapeReader = ShapeReader {
+    type_name: "paraboloid",
+    schema: TableSchema {
         name: "a paraboloid",
-        keys: &["type", "origin", "y", "material", "checker", "name"],
+        keys: &["origin", "y"],
     },
+    position_key: "origin",
     read,
 };
 
-fn read(keys: &Keys<'_>) -> Result<Shape, LoadError> {
-    let need = |key| keys.need(key, FORM.kind.name);
+fn read(table: &Table<'_>) -> Result<Shape, LoadError> {
     Ok(Shape::Paraboloid {
-        origin: need("origin")?.vector()?,
-        y: need("y")?.interval()?,
+        origin: table.need("origin")?.vector()?,
+        y: table.need("y")?.interval()?,
     })
 }

@@ -1,42 +1,37 @@
 use whitted::Shape;
 use whitted::scene::ClipBox;
 
-use super::Form;
 use crate::scene_file::error::LoadError;
-use crate::scene_file::keys::{Keys, Kind};
+use crate::scene_file::schema::{BOUNDS, TableSchema};
+use crate::scene_file::shape_reader::ShapeReader;
+use crate::scene_file::table::Table;
 
-pub(super) const FORM: Form = Form {
-    name: "plane",
-    kind: Kind {
+pub(super) const READER: ShapeReader = ShapeReader {
+    type_name: "plane",
+    schema: TableSchema {
         name: "a plane",
-        keys: &[
-            "type", "normal", "point", "bounds", "material", "checker", "name",
-        ],
+        keys: &["normal", "point", "bounds"],
     },
+    position_key: "point",
     read,
 };
 
-fn read(keys: &Keys<'_>) -> Result<Shape, LoadError> {
-    let need = |key| keys.need(key, FORM.kind.name);
+fn read(table: &Table<'_>) -> Result<Shape, LoadError> {
     Ok(Shape::Plane {
-        normal: need("normal")?.vector()?,
-        point: need("point")?.vector()?,
-        bounds: bounds(keys)?,
+        normal: table.need("normal")?.vector()?,
+        point: table.need("point")?.vector()?,
+        bounds: bounds(table)?,
     })
 }
 
-const BOUNDS: Kind = Kind {
-    name: "`bounds`",
-    keys: &["x", "y", "z"],
-};
-
-fn bounds(keys: &Keys<'_>) -> Result<ClipBox, LoadError> {
-    let Some(value) = keys.get("bounds") else {
+/// Reads the clip box; an axis without an interval is unbounded.
+fn bounds(table: &Table<'_>) -> Result<ClipBox, LoadError> {
+    let Some(value) = table.get("bounds") else {
         return Ok(ClipBox::NONE);
     };
-    let keys = Keys::of(&value, "a table of intervals")?;
-    keys.only(BOUNDS)?;
-    let interval = |key| keys.get(key).map(|value| value.interval()).transpose();
+    let table = Table::open_any(&value, "a table of intervals", BOUNDS.name)?;
+    table.reject_unknown(BOUNDS.name, BOUNDS.keys)?;
+    let interval = |key| table.get(key).map(|value| value.interval()).transpose();
     Ok(ClipBox {
         x: interval("x")?,
         y: interval("y")?,

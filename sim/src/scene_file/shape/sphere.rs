@@ -1,22 +1,23 @@
 use whitted::Shape;
 
-use super::Form;
 use crate::scene_file::error::LoadError;
-use crate::scene_file::keys::{Keys, Kind};
+use crate::scene_file::schema::TableSchema;
+use crate::scene_file::shape_reader::ShapeReader;
+use crate::scene_file::table::Table;
 
-pub(super) const FORM: Form = Form {
-    name: "sphere",
-    kind: Kind {
+pub(super) const READER: ShapeReader = ShapeReader {
+    type_name: "sphere",
+    schema: TableSchema {
         name: "a sphere",
-        keys: &["type", "center", "radius", "material", "checker", "name"],
+        keys: &["center", "radius"],
     },
+    position_key: "center",
     read,
 };
 
-fn read(keys: &Keys<'_>) -> Result<Shape, LoadError> {
-    let need = |key| keys.need(key, FORM.kind.name);
+fn read(table: &Table<'_>) -> Result<Shape, LoadError> {
     Ok(Shape::Sphere {
-        center: need("center")?.vector()?,
-        radius: need("radius")?.number()?,
+        center: table.need("center")?.vector()?,
+        radius: table.need("radius")?.number()?,
     })
 }

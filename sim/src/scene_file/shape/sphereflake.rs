@@ -1,42 +1,41 @@
 use whitted::{Real, Shape, Vec3};
 
-use super::Form;
 use crate::scene_file::error::LoadError;
-use crate::scene_file::keys::{Keys, Kind};
+use crate::scene_file::schema::TableSchema;
+use crate::scene_file::shape_reader::ShapeReader;
+use crate::scene_file::table::Table;
 use crate::scene_file::value::Value;
 
-/// The generations that `Shape::Sphereflake` may have.
-const MOST_DEPTH: u8 = 8;
+/// Largest number of generations that `Shape::Sphereflake` supports.
+const MAX_DEPTH: u8 = 8;
 
-pub(super) const FORM: Form = Form {
-    name: "sphereflake",
-    kind: Kind {
+pub(super) const READER: ShapeReader = ShapeReader {
+    type_name: "sphereflake",
+    schema: TableSchema {
         name: "a sphereflake",
-        keys: &[
-            "type", "center", "radius", "depth", "ratio", "frame", "material", "checker", "name",
-        ],
+        keys: &["center", "radius", "depth", "ratio", "frame"],
     },
+    position_key: "center",
     read,
 };
 
-fn read(keys: &Keys<'_>) -> Result<Shape, LoadError> {
-    let need = |key| keys.need(key, FORM.kind.name);
+fn read(table: &Table<'_>) -> Result<Shape, LoadError> {
     Ok(Shape::Sphereflake {
-        center: need("center")?.vector()?,
-        radius: need("radius")?.number()?,
-        depth: need("depth")?.count(MOST_DEPTH)?,
-        ratio: match keys.get("ratio") {
+        center: table.need("center")?.vector()?,
+        radius: table.need("radius")?.number()?,
+        depth: table.need("depth")?.integer(MAX_DEPTH)?,
+        ratio: match table.get("ratio") {
             Some(ratio) => ratio.number()?,
             None => Shape::FLAKE_RATIO,
         },
-        frame: match keys.get("frame") {
+        frame: match table.get("frame") {
             Some(rows) => frame(&rows)?,
             None => Shape::FLAKE_FRAME,
         },
     })
 }
 
-/// That the rows are orthonormal is checked where a scene is prepared.
+/// Reads the basis. Preparing the scene checks that its rows are orthonormal.
 fn frame(rows: &Value<'_>) -> Result<[Vec3<Real>; 3], LoadError> {
     let [u, v, w] = rows.array("three rows [u, v, w]")?;
     Ok([u.vector()?, v.vector()?, w.vector()?])

@@ -6,21 +6,22 @@ use embedded_graphics::geometry::Size;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 
-use super::change::{changed, cut};
+use super::difference::{changed_area, crop};
+use super::film::{Film, unwritable};
 use super::schedule::Schedule;
-use super::{Film, unwritable};
 use crate::outcome::Outcome;
 
-/// Fractions of a second that delays are counted in.
-const PER_SECOND: u16 = 1000;
+/// Unit of frame delays: 1/1000 s.
+const UNITS_PER_SECOND: u16 = 1000;
 
-/// An animated PNG: whole colors, of each frame what changed.
+/// Writer of an animated PNG with 24-bit colors. Each frame after the first has only the area
+/// that changed.
 struct Apng {
     path: PathBuf,
     writer: png::Writer<BufWriter<File>>,
     delays: Vec<u16>,
     size: Size,
-    before: Option<Vec<u8>>,
+    previous: Option<Vec<u8>>,
     count: usize,
 }
 
@@ -32,7 +33,7 @@ pub(super) fn film(path: &Path, size: Size, schedule: &Schedule) -> Outcome<Box<
         encoder.set_color(png::ColorType::Rgb);
         encoder.set_depth(png::BitDepth::Eight);
         encoder.set_compression(png::Compression::High);
-        // No number of plays is endless.
+        // 0 plays means that the animation repeats without end.
         encoder.set_animated(frames as u32, u32::from(!schedule.looping))?;
         encoder.write_header()
     };
@@ -40,10 +41,10 @@ pub(super) fn film(path: &Path, size: Size, schedule: &Schedule) -> Outcome<Box<
         path: path.to_owned(),
         writer: open().map_err(|error| unwritable(path, error))?,
         delays: (0..frames)
-            .map(|frame| schedule.delay(frame, PER_SECOND.into()))
+            .map(|frame| schedule.delay(frame, UNITS_PER_SECOND.into()))
             .collect(),
         size,
-        before: None,
+        previous: None,
         count: 0,
     }))
 }
@@ -52,19 +53,19 @@ impl Apng {
     fn write(&mut self, pixels: &[u8]) -> Result<(), png::EncodingError> {
         let width = self.size.width;
         // The first frame is the whole picture.
-        let area = match &self.before {
-            Some(before) => changed::<3>(before, pixels, width),
+        let area = match &self.previous {
+            Some(previous) => changed_area::<3>(previous, pixels, width),
             None => Rectangle::new(Point::zero(), self.size),
         };
         let delay = self.delays.get(self.count).copied().unwrap_or_default();
-        self.writer.set_frame_delay(delay, PER_SECOND)?;
+        self.writer.set_frame_delay(delay, UNITS_PER_SECOND)?;
         self.writer.reset_frame_position()?;
         self.writer
             .set_frame_dimension(area.size.width, area.size.height)?;
         self.writer
             .set_frame_position(area.top_left.x as u32, area.top_left.y as u32)?;
         self.writer
-            .write_image_data(&cut::<3>(pixels, width, &area))
+            .write_image_data(&crop::<3>(pixels, width, &area))
     }
 }
 
@@ -72,7 +73,7 @@ impl Film for Apng {
     fn add(&mut self, pixels: &[u8]) -> Outcome {
         self.write(pixels)
             .map_err(|error| unwritable(&self.path, error))?;
-        self.before = Some(pixels.to_vec());
+        self.previous = Some(pixels.to_vec());
         self.count += 1;
         Ok(())
     }

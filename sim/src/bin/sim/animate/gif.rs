@@ -6,16 +6,16 @@ use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::primitives::Rectangle;
 use gif::{DisposalMethod, Encoder, EncodingError, Frame, Repeat};
 
-use super::change::{changed, cut};
+use super::difference::{changed_area, crop};
+use super::film::{Film, unwritable};
 use super::palette::Palette;
 use super::schedule::Schedule;
-use super::{Film, unwritable};
 use crate::outcome::Outcome;
 
-/// Fractions of a second that delays are counted in.
-const PER_SECOND: u32 = 100;
+/// Unit of frame delays: 1/100 s.
+const UNITS_PER_SECOND: u32 = 100;
 
-/// A GIF. All frames are kept until its palette is known.
+/// Writer of a GIF. Keeps all frames until the end, since the palette depends on all of them.
 struct Gif {
     path: PathBuf,
     file: BufWriter<File>,
@@ -33,7 +33,7 @@ pub(super) fn film(path: &Path, size: Size, schedule: &Schedule) -> Outcome<Box<
         file: BufWriter::new(file),
         size,
         delays: frames
-            .map(|frame| schedule.delay(frame, PER_SECOND))
+            .map(|frame| schedule.delay(frame, UNITS_PER_SECOND))
             .collect(),
         looping: schedule.looping,
         frames: Vec::new(),
@@ -54,7 +54,7 @@ impl Film for Gif {
 
 impl Gif {
     fn write(self) -> Result<(), EncodingError> {
-        // Sides are at most 8192.
+        // The command line limits sides to 8192.
         let [width, height] = [self.size.width, self.size.height].map(|side| side as u16);
         let mut palette = Palette::new(&self.frames);
         let mut encoder = Encoder::new(self.file, width, height, &palette.colors())?;
@@ -62,10 +62,10 @@ impl Gif {
             encoder.set_repeat(Repeat::Infinite)?;
         }
         let transparent = palette.transparent();
-        let mut before = None;
+        let mut previous = None;
         for (pixels, delay) in self.frames.iter().zip(self.delays) {
             let indices = palette.indices(pixels);
-            let (area, buffer) = difference(before.as_deref(), &indices, self.size, transparent);
+            let (area, buffer) = difference(previous.as_deref(), &indices, self.size, transparent);
             encoder.write_frame(&Frame {
                 delay,
                 dispose: DisposalMethod::Keep,
@@ -77,28 +77,27 @@ impl Gif {
                 buffer: buffer.into(),
                 ..Frame::default()
             })?;
-            before = Some(indices);
+            previous = Some(indices);
         }
         Ok(())
     }
 }
 
-/// What is to be drawn over the frame before, and where; what stays is
-/// transparent.
+/// Returns the area that differs from the previous frame, and its color indices. Unchanged pixels
+/// in the area are transparent.
 fn difference(
-    before: Option<&[u8]>,
-    now: &[u8],
+    previous: Option<&[u8]>,
+    current: &[u8],
     size: Size,
     transparent: u8,
 ) -> (Rectangle, Vec<u8>) {
-    let Some(before) = before else {
-        return (Rectangle::new(Point::zero(), size), now.to_vec());
+    let Some(previous) = previous else {
+        return (Rectangle::new(Point::zero(), size), current.to_vec());
     };
-    let area = changed::<1>(before, now, size.width);
-    let drawn: Vec<u8> = before
-        .iter()
-        .zip(now)
-        .map(|(before, now)| if before == now { transparent } else { *now })
+    let area = changed_area::<1>(previous, current, size.width);
+    let pairs = previous.iter().zip(current);
+    let drawn: Vec<u8> = pairs
+        .map(|(old, new)| if old == new { transparent } else { *new })
         .collect();
-    (area, cut::<1>(&drawn, size.width, &area))
+    (area, crop::<1>(&drawn, size.width, &area))
 }

@@ -3,11 +3,11 @@ use std::path::{Path, PathBuf};
 
 use embedded_graphics::geometry::Size;
 
+use super::film::{Film, unwritable};
 use super::schedule::Schedule;
-use super::{Film, unwritable};
 use crate::outcome::Outcome;
 
-/// A directory of `frame-0000.png` and so on.
+/// Writer of numbered PNGs: `frame-0000.png`, `frame-0001.png` and so on.
 struct Numbered {
     directory: PathBuf,
     size: Size,
@@ -17,7 +17,7 @@ struct Numbered {
 
 pub(super) fn film(directory: &Path, size: Size, schedule: &Schedule) -> Outcome<Box<dyn Film>> {
     fs::create_dir_all(directory)
-        .map_err(|error| format!("{}: cannot be made: {error}", directory.display()))?;
+        .map_err(|error| format!("{}: cannot be created: {error}", directory.display()))?;
     Ok(Box::new(Numbered {
         directory: directory.to_owned(),
         size,

@@ -1,26 +1,27 @@
-//! The colors of a GIF.
+//! Color palette of a GIF.
 
 use std::collections::{BTreeSet, HashMap};
 
 use color_quant::NeuQuant;
 
-/// One index is left for what does not change.
+/// Number of colors; the 256th index is reserved for transparent pixels.
 const COLORS: usize = 255;
 
-/// The pixels that a palette is learned from.
-const SAMPLES: usize = 1 << 19;
+/// Number of pixels that the neural net is trained on.
+const TRAINING_PIXELS: usize = 1 << 19;
 
-/// One palette for all frames, so that what stands still does not flicker.
+/// Palette of all frames. A palette per frame would make static parts flicker.
 pub(super) struct Palette {
     colors: Vec<u8>,
-    /// Of colors that were asked for.
-    known: HashMap<[u8; 3], u8>,
-    learned: Option<NeuQuant>,
+    /// Palette indices of colors that were looked up before.
+    cache: HashMap<[u8; 3], u8>,
+    /// Neural net that maps colors to indices; `None` if every color is in the palette.
+    net: Option<NeuQuant>,
 }
 
 impl Palette {
-    /// All colors, if there are few enough, or else those that a neural net
-    /// finds (Dekker 1994).
+    /// Creates the palette of some frames: all their colors if there are at most 255, else colors
+    /// that a neural net selects (Dekker 1994).
     pub(super) fn new(frames: &[Vec<u8>]) -> Self {
         let pixels = || frames.iter().flat_map(|frame| frame.as_chunks::<3>().0);
         let mut distinct = BTreeSet::new();
@@ -33,11 +34,11 @@ impl Palette {
         if distinct.len() <= COLORS {
             return Self {
                 colors: distinct.iter().flatten().copied().collect(),
-                known: distinct.into_iter().zip(0..).collect(),
-                learned: None,
+                cache: distinct.into_iter().zip(0..).collect(),
+                net: None,
             };
         }
-        let step = (pixels().count() / SAMPLES).max(1);
+        let step = (pixels().count() / TRAINING_PIXELS).max(1);
         let samples: Vec<u8> = pixels()
             .step_by(step)
             .flat_map(|[r, g, b]| [*r, *g, *b, u8::MAX])
@@ -45,32 +46,32 @@ impl Palette {
         let net = NeuQuant::new(1, COLORS, &samples);
         Self {
             colors: net.color_map_rgb(),
-            known: HashMap::new(),
-            learned: Some(net),
+            cache: HashMap::new(),
+            net: Some(net),
         }
     }
 
-    /// Red, green and blue of each color, and of the one that is not shown.
+    /// Returns red, green and blue of each color, followed by the transparent one.
     pub(super) fn colors(&self) -> Vec<u8> {
         [&self.colors[..], &[0; 3]].concat()
     }
 
-    /// The index that is not shown.
+    /// Returns the index of transparent pixels.
     pub(super) fn transparent(&self) -> u8 {
         (self.colors.len() / 3) as u8
     }
 
-    /// The index of the nearest color of each pixel.
+    /// Returns the index of the nearest color for each pixel.
     pub(super) fn indices(&mut self, frame: &[u8]) -> Vec<u8> {
         let (pixels, _) = frame.as_chunks::<3>();
-        let net = &self.learned;
+        let net = &self.net;
         let nearest = |[r, g, b]: [u8; 3]| {
             let found = net.as_ref().map(|net| net.index_of(&[r, g, b, u8::MAX]));
             found.unwrap_or_default() as u8
         };
         pixels
             .iter()
-            .map(|pixel| *self.known.entry(*pixel).or_insert_with(|| nearest(*pixel)))
+            .map(|pixel| *self.cache.entry(*pixel).or_insert_with(|| nearest(*pixel)))
             .collect()
     }
 }
@@ -80,7 +81,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn few_colors_are_kept() {
+    fn keeps_up_to_255_colors() {
         let frames = vec![vec![1, 2, 3, 4, 5, 6], vec![7, 8, 9, 1, 2, 3]];
         let mut palette = Palette::new(&frames);
         assert_eq!(palette.colors(), [1, 2, 3, 4, 5, 6, 7, 8, 9, 0, 0, 0]);
@@ -89,7 +90,7 @@ mod tests {
     }
 
     #[test]
-    fn many_colors_are_shown_by_near_ones() {
+    fn maps_many_colors_to_near_ones() {
         let ramp: Vec<u8> = (0..4096_u32)
             .flat_map(|i| [(i >> 4) as u8, (i & 255) as u8, 128])
             .collect();

@@ -1,83 +1,95 @@
-//! When frames are taken, and how long each is shown.
+//! Times and durations of the frames of an animation.
 
 use whitted::Real;
-use whitted_sim::scene_file::Motion;
+use whitted_sim::scene_file::FileAnimation;
 
 use crate::outcome::Outcome;
 
 const DEFAULT_FPS: u16 = 20;
 
-/// More would be a mistake, and take days.
-const MOST_FRAMES: i64 = 10_000;
+/// Limit on the number of frames, since more would take days to render.
+const MAX_FRAMES: i64 = 10_000;
 
-/// The times of the frames.
+/// Times and duration of the frames.
 pub(super) struct Schedule {
-    /// When in the animation each frame is.
+    /// Time of each frame, in seconds from the start of the animation.
     pub(super) times: Vec<Real>,
-    /// How long each is shown.
+    /// Duration of a frame in seconds.
     interval: Real,
-    /// Whether the film begins anew.
+    /// True if the animation repeats.
     pub(super) looping: bool,
 }
 
 impl Schedule {
-    /// By one of the rate and the number of frames the whole animation is
-    /// taken, by both as much of it as they say. A loop closes, and anything
-    /// else ends at its end.
-    pub(super) fn new(motion: &Motion, fps: Option<u16>, frames: Option<u16>) -> Outcome<Self> {
+    /// Creates the schedule for a frame rate and a number of frames.
+    ///
+    /// If one of the two is given, the frames cover the whole animation. If both are given, the
+    /// frames start at 0 and may cover a part of it. A loop leaves out the frame at the end, which
+    /// equals the first one; other animations include it.
+    pub(super) fn new(
+        animation: &FileAnimation,
+        fps: Option<u16>,
+        frames: Option<u16>,
+    ) -> Outcome<Self> {
         let rate = Real::from(fps.unwrap_or(DEFAULT_FPS));
         let count = match frames {
             Some(frames) => frames.into(),
             None => rate
-                .saturating_mul(motion.duration)
+                .saturating_mul(animation.duration)
                 .round()
                 .to_num::<i64>()
                 .max(1),
         };
-        if count > MOST_FRAMES {
-            let help = "choose fewer by --frames, or a lower --fps";
+        if count > MAX_FRAMES {
+            let help = "use a smaller --frames or --fps";
             return Err(format!(
-                "the animation would be {count} frames, of at most {MOST_FRAMES}\n  help: {help}"
+                "the animation would have {count} frames; the limit is {MAX_FRAMES}\n  help: {help}"
             )
             .into());
         }
-        let part = |whole: Real, index: i64, of: i64| {
-            let bits = i128::from(whole.to_bits()) * i128::from(index) / i128::from(of.max(1));
+        let fraction = |whole: Real, index: i64, count: i64| {
+            let bits = i128::from(whole.to_bits()) * i128::from(index) / i128::from(count.max(1));
             Real::from_bits(bits as i64)
         };
         let time = |index| match (fps, frames) {
             (Some(_), Some(_)) => Real::from_num(index) / rate,
-            _ if motion.looping => part(motion.duration, index, count),
-            _ => part(motion.duration, index, count - 1),
+            _ if animation.looping => fraction(animation.duration, index, count),
+            _ => fraction(animation.duration, index, count - 1),
         };
         Ok(Self {
             times: (0..count).map(time).collect(),
             interval: match (fps, frames) {
                 (Some(_), Some(_)) => Real::ONE / rate,
-                _ => motion.duration / Real::from_num(count),
+                _ => animation.duration / Real::from_num(count),
             },
-            looping: motion.looping,
+            looping: animation.looping,
         })
     }
 
-    /// How long a frame is shown, in fractions of a second: roundings do not
-    /// add up.
+    /// Returns the duration of a frame in units of 1/`per_second` s.
+    ///
+    /// The end of each frame is rounded, not its duration, so rounding errors do not add up.
     pub(super) fn delay(&self, frame: usize, per_second: u32) -> u16 {
-        let end =
-            |frames: usize| super::in_units(self.interval * Real::from_num(frames), per_second);
+        let end = |frames: usize| to_units(self.interval * Real::from_num(frames), per_second);
         let delay = end(frame + 1) - end(frame);
         u16::try_from(delay).unwrap_or(u16::MAX)
     }
+}
+
+/// Converts seconds to units of 1/`per_second` s, rounded to nearest.
+fn to_units(seconds: Real, per_second: u32) -> u64 {
+    let twice = (i128::from(seconds.to_bits()) * i128::from(per_second)) >> 31;
+    ((twice + 1) >> 1) as u64
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn schedule(looping: bool, fps: Option<u16>, frames: Option<u16>) -> Vec<String> {
-        let mut motion = Motion::once_around();
-        motion.looping = looping;
-        let schedule = Schedule::new(&motion, fps, frames);
+    fn times(looping: bool, fps: Option<u16>, frames: Option<u16>) -> Vec<String> {
+        let mut animation = FileAnimation::single_orbit();
+        animation.looping = looping;
+        let schedule = Schedule::new(&animation, fps, frames);
         schedule.map_or_else(
             |error| vec![error.to_string()],
             |schedule| schedule.times.iter().map(Real::to_string).collect(),
@@ -85,23 +97,23 @@ mod tests {
     }
 
     #[test]
-    fn a_loop_closes_and_all_else_ends() {
-        assert_eq!(schedule(true, None, Some(4)), ["0", "1", "2", "3"]);
-        assert_eq!(schedule(false, None, Some(5)), ["0", "1", "2", "3", "4"]);
-        assert_eq!(schedule(true, Some(1), None), ["0", "1", "2", "3"]);
-        assert_eq!(schedule(true, None, None).len(), 80);
-        assert_eq!(schedule(false, None, Some(1)), ["0"]);
+    fn covers_the_whole_animation() {
+        assert_eq!(times(true, None, Some(4)), ["0", "1", "2", "3"]);
+        assert_eq!(times(false, None, Some(5)), ["0", "1", "2", "3", "4"]);
+        assert_eq!(times(true, Some(1), None), ["0", "1", "2", "3"]);
+        assert_eq!(times(true, None, None).len(), 80);
+        assert_eq!(times(false, None, Some(1)), ["0"]);
     }
 
     #[test]
-    fn a_rate_and_a_number_go_on() {
-        assert_eq!(schedule(true, Some(2), Some(3)), ["0", "0.5", "1"]);
+    fn rate_and_number_together_set_the_times() {
+        assert_eq!(times(true, Some(2), Some(3)), ["0", "0.5", "1"]);
     }
 
     #[test]
-    fn delays_do_not_drift() -> Outcome {
-        let film = Schedule::new(&Motion::once_around(), Some(30), None)?;
-        let delays: Vec<u16> = (0..120).map(|frame| film.delay(frame, 100)).collect();
+    fn rounding_of_delays_does_not_add_up() -> Outcome {
+        let schedule = Schedule::new(&FileAnimation::single_orbit(), Some(30), None)?;
+        let delays: Vec<u16> = (0..120).map(|frame| schedule.delay(frame, 100)).collect();
         assert_eq!(delays[..4], [3, 4, 3, 3]);
         assert_eq!(delays.iter().sum::<u16>(), 400);
         Ok(())

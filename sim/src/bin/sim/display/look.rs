@@ -6,12 +6,16 @@ use embedded_graphics_simulator::{
 };
 
 use super::Display;
-use crate::args::Format;
+use crate::format::Format;
 
 impl Display {
-    /// The display's picture in the colors that it has, each of its pixels a
-    /// square of `scale` pixels.
-    pub(crate) fn shown(&self, image: &OutputImage<Rgb888>, scale: u32) -> OutputImage<Rgb888> {
+    /// Returns the picture as the display looks, with its theme and mask. Each display pixel
+    /// becomes a square with sides of `scale` pixels.
+    pub(crate) fn appearance(
+        &self,
+        image: &OutputImage<Rgb888>,
+        scale: u32,
+    ) -> OutputImage<Rgb888> {
         let buffer = image.as_image_buffer();
         let (width, height) = buffer.dimensions();
         let area = Rectangle::new(Point::zero(), Size::new(width, height));
@@ -25,7 +29,7 @@ impl Display {
         display.to_rgb_output_image(&self.settings(scale))
     }
 
-    /// Blackens what lies outside of a round display.
+    /// Blackens the pixels outside a round display.
     pub(crate) fn cut(&self, display: &mut SimulatorDisplay<Rgb888>) {
         if self.is_round {
             let circle = Circle::new(Point::zero(), self.size.width);
@@ -35,7 +39,7 @@ impl Display {
         }
     }
 
-    /// How the simulator shows a picture that is cut.
+    /// Returns the simulator's settings for the display.
     pub(crate) fn settings(&self, scale: u32) -> OutputSettings {
         let theme = match self.format {
             Format::Binary => self.theme,
@@ -53,49 +57,55 @@ impl Display {
 mod tests {
     use super::*;
 
-    fn white_on(name: &str, scale: u32) -> Result<OutputImage<Rgb888>, String> {
+    fn white_picture(name: &str, scale: u32) -> Result<OutputImage<Rgb888>, String> {
         let display = Display::named(name)?;
         let white = SimulatorDisplay::with_default_color(display.size, Rgb888::WHITE);
         let image = white.to_rgb_output_image(&OutputSettings::default());
-        Ok(display.shown(&image, scale))
+        Ok(display.appearance(&image, scale))
     }
 
-    fn at(image: &OutputImage<Rgb888>, x: u32, y: u32) -> [u8; 3] {
+    fn pixel(image: &OutputImage<Rgb888>, x: u32, y: u32) -> [u8; 3] {
         image.as_image_buffer().get_pixel(x, y).0
     }
 
     #[test]
-    fn a_round_display_has_no_corners() -> Result<(), String> {
-        let image = white_on("gc9a01", 1)?;
+    fn masks_the_corners_of_a_round_display() -> Result<(), String> {
+        let image = white_picture("gc9a01", 1)?;
         let (black, white) = ([0; 3], [255; 3]);
-        assert_eq!([at(&image, 0, 0), at(&image, 239, 239)], [black; 2]);
-        assert_eq!([at(&image, 120, 0), at(&image, 0, 120)], [white; 2]);
-        // 119 sqrt 1/2 from the middle in both directions.
-        assert_eq!([at(&image, 34, 34), at(&image, 36, 36)], [black, white]);
+        assert_eq!([pixel(&image, 0, 0), pixel(&image, 239, 239)], [black; 2]);
+        assert_eq!([pixel(&image, 120, 0), pixel(&image, 0, 120)], [white; 2]);
+        // The circle crosses the diagonal at 120 - 119.5 * sqrt(1/2), about 35.5.
+        assert_eq!(
+            [pixel(&image, 34, 34), pixel(&image, 36, 36)],
+            [black, white]
+        );
         Ok(())
     }
 
     #[test]
-    fn both_colors_have_a_look() -> Result<(), String> {
-        assert_eq!(at(&white_on("ssd1306", 1)?, 5, 5), [0, 210, 255]);
-        assert_eq!(at(&white_on("epaper", 1)?, 5, 5), [0xe2, 0xe0, 0xd8]);
-        assert_eq!(at(&white_on("ssd0323", 1)?, 5, 5), [255; 3]);
+    fn applies_the_theme_of_a_one_bit_display() -> Result<(), String> {
+        assert_eq!(pixel(&white_picture("ssd1306", 1)?, 5, 5), [0, 210, 255]);
+        assert_eq!(
+            pixel(&white_picture("epaper", 1)?, 5, 5),
+            [0xe2, 0xe0, 0xd8]
+        );
+        assert_eq!(pixel(&white_picture("ssd0323", 1)?, 5, 5), [255; 3]);
         Ok(())
     }
 
     #[test]
-    fn pixels_are_scaled() -> Result<(), String> {
-        let image = white_on("st7735", 3)?;
+    fn scales_pixels() -> Result<(), String> {
+        let image = white_picture("st7735", 3)?;
         assert_eq!(image.size(), Size::new(480, 384));
-        assert_eq!(at(&image, 479, 383), [255; 3]);
+        assert_eq!(pixel(&image, 479, 383), [255; 3]);
         Ok(())
     }
 
     #[test]
-    fn a_plain_display_changes_nothing() {
+    fn plain_display_keeps_the_picture() {
         let display = Display::plain(Size::new(2, 1), Format::Rgb888);
         let color = SimulatorDisplay::with_default_color(display.size, Rgb888::new(1, 2, 3));
         let image = color.to_rgb_output_image(&OutputSettings::default());
-        assert_eq!(display.shown(&image, 1), image);
+        assert_eq!(display.appearance(&image, 1), image);
     }
 }

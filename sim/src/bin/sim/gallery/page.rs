@@ -4,11 +4,12 @@ use embedded_graphics::geometry::Size;
 
 use crate::number::grouped;
 
-/// A picture on the page.
+/// Picture on the page.
 pub(super) struct Entry {
     pub(super) title: String,
-    /// Beside the page.
+    /// File name, relative to the page.
     pub(super) file: String,
+    /// Number of rays of all kinds.
     pub(super) rays: u64,
 }
 
@@ -29,11 +30,11 @@ const HEAD: &str = r#"<!DOCTYPE html>
 <main>
 "#;
 
-/// The page, which needs nothing but the pictures.
+/// Returns the HTML page. It depends on no file other than the pictures.
 pub(super) fn page(entries: &[Entry], Size { width, height }: Size) -> String {
     let mut page = HEAD.to_owned();
     for Entry { title, file, rays } in entries {
-        let (title, link, file) = (escaped(title), encoded(file), escaped(file));
+        let (title, link, file) = (escape_html(title), encode_url(file), escape_html(file));
         let rays = grouped(*rays);
         // Writing to a string does not fail.
         let _ = write!(
@@ -50,16 +51,16 @@ pub(super) fn page(entries: &[Entry], Size { width, height }: Size) -> String {
     page
 }
 
-/// Text as HTML.
-fn escaped(text: &str) -> String {
+/// Escapes text for HTML.
+fn escape_html(text: &str) -> String {
     text.replace('&', "&amp;")
         .replace('<', "&lt;")
         .replace('>', "&gt;")
         .replace('"', "&quot;")
 }
 
-/// A file name as a relative URL.
-fn encoded(name: &str) -> String {
+/// Percent-encodes a file name as a relative URL.
+fn encode_url(name: &str) -> String {
     name.bytes().fold(String::new(), |mut url, byte| {
         if byte.is_ascii_alphanumeric() || b"-._~".contains(&byte) {
             url.push(byte.into());
@@ -75,8 +76,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_cannot_break_the_page() {
-        assert_eq!(escaped(r#"<"&">"#), "&lt;&quot;&amp;&quot;&gt;");
-        assert_eq!(encoded("a b#ö.png"), "a%20b%23%C3%B6.png");
+    fn escapes_special_characters_in_names() {
+        assert_eq!(escape_html(r#"<"&">"#), "&lt;&quot;&amp;&quot;&gt;");
+        assert_eq!(encode_url("a b#ö.png"), "a%20b%23%C3%B6.png");
     }
 }

@@ -7,16 +7,16 @@ use embedded_graphics_simulator::{OutputImage, OutputSettings, SimulatorDisplay}
 use super::thumbnail::thumbnail;
 use crate::outcome::Outcome;
 
-/// What the sheet is called.
+/// File name of the contact sheet.
 pub(super) const FILE: &str = "contact-sheet.png";
 
 const COLUMNS: u32 = 5;
-/// What a thumbnail fits in.
-const LARGEST: Size = Size::new(160, 120);
+/// Largest size of a thumbnail.
+const MAX_THUMBNAIL: Size = Size::new(160, 120);
 const MARGIN: u32 = 8;
-const BETWEEN: Rgb888 = Rgb888::new(32, 32, 32);
+const BACKGROUND: Rgb888 = Rgb888::new(32, 32, 32);
 
-/// Thumbnails of pictures of one size, in rows.
+/// Contact sheet: thumbnails of pictures of the same size, in rows.
 pub(super) struct Sheet {
     display: SimulatorDisplay<Rgb888>,
     thumbnail: Size,
@@ -25,23 +25,23 @@ pub(super) struct Sheet {
 }
 
 impl Sheet {
-    /// A sheet for so many pictures.
+    /// Creates a sheet for a number of pictures.
     pub(super) fn new(pictures: usize, size: Size) -> Self {
         let pictures = pictures as u32;
         let columns = pictures.clamp(1, COLUMNS);
-        let thumbnail = fitted(size);
+        let thumbnail = thumbnail_size(size);
         let cells = Size::new(columns, pictures.div_ceil(columns));
         let margin = Size::new_equal(MARGIN);
         let whole = cells.component_mul(thumbnail + margin) + margin;
         Self {
-            display: SimulatorDisplay::with_default_color(whole, BETWEEN),
+            display: SimulatorDisplay::with_default_color(whole, BACKGROUND),
             thumbnail,
             columns,
             count: 0,
         }
     }
 
-    /// Adds the next picture.
+    /// Adds the thumbnail of the next picture.
     pub(super) fn add(&mut self, image: &OutputImage<Rgb888>) -> Outcome {
         let cell = Size::new(self.count % self.columns, self.count / self.columns);
         let margin = Size::new_equal(MARGIN);
@@ -53,20 +53,26 @@ impl Sheet {
             .fill_contiguous(&area, thumbnail(image, self.thumbnail))?)
     }
 
-    /// The sheet as a picture.
+    /// Returns the sheet as a picture.
     pub(super) fn image(&self) -> OutputImage<Rgb888> {
         self.display.to_rgb_output_image(&OutputSettings::default())
     }
 }
 
-/// The largest size of a thumbnail with the sides of a picture.
-fn fitted(picture: Size) -> Size {
+/// Returns the largest thumbnail size with the aspect ratio of a picture.
+fn thumbnail_size(picture: Size) -> Size {
     let Size { width, height } = picture;
     let scaled = |side: u32, to: u32, from: u32| (side * to / from).max(1);
-    if width * LARGEST.height > height * LARGEST.width {
-        Size::new(LARGEST.width, scaled(height, LARGEST.width, width))
+    if width * MAX_THUMBNAIL.height > height * MAX_THUMBNAIL.width {
+        Size::new(
+            MAX_THUMBNAIL.width,
+            scaled(height, MAX_THUMBNAIL.width, width),
+        )
     } else {
-        Size::new(scaled(width, LARGEST.height, height), LARGEST.height)
+        Size::new(
+            scaled(width, MAX_THUMBNAIL.height, height),
+            MAX_THUMBNAIL.height,
+        )
     }
 }
 
@@ -75,10 +81,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn thumbnails_keep_their_sides() {
-        assert_eq!(fitted(Size::new(320, 240)), LARGEST);
-        assert_eq!(fitted(Size::new(128, 64)), Size::new(160, 80));
-        assert_eq!(fitted(Size::new(100, 200)), Size::new(60, 120));
-        assert_eq!(fitted(Size::new(8192, 1)), Size::new(160, 1));
+    fn thumbnails_keep_the_aspect_ratio() {
+        assert_eq!(thumbnail_size(Size::new(320, 240)), MAX_THUMBNAIL);
+        assert_eq!(thumbnail_size(Size::new(128, 64)), Size::new(160, 80));
+        assert_eq!(thumbnail_size(Size::new(100, 200)), Size::new(60, 120));
+        assert_eq!(thumbnail_size(Size::new(8192, 1)), Size::new(160, 1));
     }
 }

@@ -1,47 +1,47 @@
-/// Things of which one is current; after the last comes the first.
+/// List with a current item. The first item follows the last.
 pub(super) struct Cycle<T> {
-    things: Vec<T>,
+    items: Vec<T>,
     current: usize,
 }
 
 impl<T> Cycle<T> {
-    /// Begins with the first of at least one.
+    /// Creates a list whose first item is current.
     pub(super) fn new(first: T, others: impl IntoIterator<Item = T>) -> Self {
-        let mut things = vec![first];
-        things.extend(others);
-        Self { things, current: 0 }
+        let mut items = vec![first];
+        items.extend(others);
+        Self { items, current: 0 }
     }
 
     pub(super) fn current(&self) -> &T {
-        &self.things[self.current]
+        &self.items[self.current]
     }
 
     pub(super) fn current_mut(&mut self) -> &mut T {
-        &mut self.things[self.current]
+        &mut self.items[self.current]
     }
 
-    /// Which one is current, counted from 0, and how many there are.
-    pub(super) fn place(&self) -> (usize, usize) {
-        (self.current, self.things.len())
+    /// Returns the index of the current item and the number of items.
+    pub(super) fn position(&self) -> (usize, usize) {
+        (self.current, self.items.len())
     }
 
     pub(super) fn all(&self) -> &[T] {
-        &self.things
+        &self.items
     }
 
     pub(super) fn next(&mut self) {
-        self.current = (self.current + 1) % self.things.len();
+        self.current = (self.current + 1) % self.items.len();
     }
 
     pub(super) fn previous(&mut self) {
-        self.current = self.current.checked_sub(1).unwrap_or(self.things.len() - 1);
+        self.current = self.current.checked_sub(1).unwrap_or(self.items.len() - 1);
     }
 }
 
 impl<T: PartialEq> Cycle<T> {
-    /// Begins with the one that equals this, if there is one.
-    pub(super) fn at(mut self, thing: &T) -> Self {
-        let found = self.things.iter().position(|other| other == thing);
+    /// Selects the item that equals `item`, if the list has it.
+    pub(super) fn starting_at(mut self, item: &T) -> Self {
+        let found = self.items.iter().position(|other| other == item);
         self.current = found.unwrap_or(self.current);
         self
     }
@@ -52,9 +52,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_first_follows_the_last() {
-        let mut cycle = Cycle::new('a', ['b', 'c']).at(&'b');
-        assert_eq!(cycle.place(), (1, 3));
+    fn wraps_around_at_both_ends() {
+        let mut cycle = Cycle::new('a', ['b', 'c']).starting_at(&'b');
+        assert_eq!(cycle.position(), (1, 3));
         let next = [(); 3].map(|()| {
             cycle.next();
             *cycle.current()

@@ -11,26 +11,26 @@ use crate::draw::two_lines;
 use crate::memory::memory;
 use crate::panel::Panel;
 
-/// Rays of a step: a few milliseconds.
+/// Rays per step: a few milliseconds.
 const STEP: Step = Step::Rays(2000);
 
-/// A picture that is drawn in steps.
+/// Picture that is drawn in steps.
 pub(super) struct Frame {
     panel: Panel,
     display: Display,
     drawing: RenderProgress,
-    /// How edges are to be smoothed once all else is drawn.
+    /// Antialiasing to be applied once the picture is drawn without it.
     edges: Option<SampleCount>,
-    /// What was asked for so far.
+    /// Work done so far.
     pub(super) work: Work,
-    /// Bytes that the scene takes.
+    /// Size of the prepared scene in bytes.
     pub(super) memory: usize,
-    /// Bytes that the renderer takes.
+    /// Size of the renderer and its line buffers in bytes.
     pub(super) renderer: usize,
 }
 
 impl Frame {
-    /// A dark display.
+    /// Creates a black display.
     pub(super) fn new(display: Display) -> Self {
         let panel = Panel::new(display.size, display.format);
         Self {
@@ -44,7 +44,7 @@ impl Frame {
         }
     }
 
-    /// Begins anew; what is on the display stays until it is drawn over.
+    /// Restarts drawing. The old picture stays until new pixels replace it.
     pub(super) fn restart(
         &mut self,
         scene: &PreparedScene<'_>,
@@ -68,7 +68,7 @@ impl Frame {
         };
     }
 
-    /// Draws on for a while.
+    /// Draws the next step.
     pub(super) fn step(&mut self, scene: &PreparedScene<'_>, output: Output) {
         if self.drawing.is_complete() {
             return self.smooth(scene, output);
@@ -80,8 +80,8 @@ impl Frame {
         self.work = renderer.observer().clone();
     }
 
-    /// Draws all anew, with smooth edges, if they are asked for: at once, which
-    /// takes some tenths of a second, as lines are not drawn apart.
+    /// Redraws the whole picture with antialiasing, if requested. Takes a few tenths of a second,
+    /// since antialiased lines cannot be drawn in separate steps.
     fn smooth(&mut self, scene: &PreparedScene<'_>, output: Output) {
         let Some(samples) = self.edges.take() else {
             return;
@@ -89,7 +89,7 @@ impl Frame {
         let (size, work) = (self.panel.size(), Work::new(scene));
         let mut lines = two_lines(size);
         let smooth = AntialiasedRenderer::with_observer(scene, size, samples, &mut lines, work);
-        // A picture of the largest size is too large, and keeps its edges.
+        // Pictures too large for the antialiasing renderer stay without antialiasing.
         if let Ok(mut smooth) = smooth {
             smooth.set_output(output);
             let Ok(()) = smooth.draw(&mut self.panel);
@@ -97,22 +97,22 @@ impl Frame {
         }
     }
 
-    /// What is on the display so far, and which display it is.
+    /// Returns the picture drawn so far and its display.
     pub(super) fn picture(&mut self) -> (&SimulatorDisplay<Rgb888>, &Display) {
         self.display.cut(&mut self.panel.display);
         (&self.panel.display, &self.display)
     }
 
-    /// Whether nothing is left to be drawn.
+    /// Returns true if the picture is complete.
     pub(super) fn is_complete(&self) -> bool {
         self.drawing.is_complete() && self.edges.is_none()
     }
 
-    /// How much of the picture is traced.
+    /// Returns the share of the pixels that were traced, in percent.
     pub(super) fn percent(&self) -> u64 {
         let Size { width, height } = self.panel.size();
         let pixels = u64::from(width) * u64::from(height);
-        // Smooth edges take several rays a pixel.
+        // Antialiasing traces several camera rays per pixel.
         (u64::from(self.work.stats.camera) * 100 / pixels).min(100)
     }
 }

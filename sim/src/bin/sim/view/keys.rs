@@ -1,4 +1,4 @@
-/// What a key does.
+/// Action of a key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Key {
     Left,
@@ -22,14 +22,14 @@ pub(super) enum Key {
     Quit,
 }
 
-/// Keys by the names that SDL has for them.
+/// Actions by SDL's names of keys.
 const NAMES: [(&str, Key); 24] = [
     ("Left", Key::Left),
     ("Right", Key::Right),
     ("Up", Key::Up),
     ("Down", Key::Down),
     ("+", Key::Closer),
-    // Where + is above it.
+    // The unshifted key of + on US keyboards.
     ("=", Key::Closer),
     ("Keypad +", Key::Closer),
     ("-", Key::Farther),
@@ -51,24 +51,24 @@ const NAMES: [(&str, Key); 24] = [
     ("Escape", Key::Quit),
 ];
 
-/// The keys, for people.
+/// Help text: the keys and their actions.
 pub(super) const HELP: [&str; 6] = [
     "arrows  orbit the camera      n, Tab  next scene            t  dither: on, off",
     "+ -     zoom                  p       previous scene        g  transfer: linear, sRGB",
     "r       reset the camera      d       next display          a  antialiasing: off, 4, 16 rays",
     "s       save the picture      f       next format           o  order: progressive, line by line",
     "h       help on, off          c       chip of the estimate  q, Esc  quit",
-    "A scene is read again when its file is saved.",
+    "The scene is reloaded when its file is saved.",
 ];
 
 impl Key {
-    /// The key that SDL calls so.
+    /// Returns the action of the key with an SDL name.
     pub(super) fn named(name: &str) -> Option<Self> {
         let found = NAMES.iter().find(|(known, _)| *known == name);
         found.map(|(_, key)| *key)
     }
 
-    /// Whether it goes on for as long as it is held.
+    /// Returns true if the action repeats while the key is held.
     pub(super) fn repeats(self) -> bool {
         use Key::{Closer, Down, Farther, Left, Right, Up};
         matches!(self, Left | Right | Up | Down | Closer | Farther)
@@ -80,14 +80,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_are_found() {
+    fn finds_keys_by_name() {
         assert_eq!(Key::named("Left"), Some(Key::Left));
         assert_eq!(Key::named("Keypad -"), Some(Key::Farther));
         assert_eq!(Key::named("F1"), None);
     }
 
     #[test]
-    fn help_tells_every_letter() {
+    fn help_lists_every_letter() {
         let help = HELP.join(" ");
         for (name, _) in NAMES
             .iter()

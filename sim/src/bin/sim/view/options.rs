@@ -4,26 +4,27 @@ use whitted::render::{Dither, Output, SampleCount, Transfer};
 use whitted_sim::cost::{BOARDS, Board};
 
 use super::cycle::Cycle;
-use crate::args::{Format, Order};
-use crate::display::{DISPLAYS, Display, format_name};
+use crate::args::Order;
+use crate::display::{DISPLAYS, Display};
+use crate::format::Format;
 
-/// What keys go through.
+/// Options that keys change.
 pub(super) struct Options {
     pub(super) displays: Cycle<Display>,
     pub(super) orders: Cycle<Order>,
     pub(super) dithers: Cycle<Dither>,
     pub(super) transfers: Cycle<Transfer>,
-    /// What is done about edges.
+    /// Rays per antialiased pixel; `None` without antialiasing.
     pub(super) edges: Cycle<Option<SampleCount>>,
     pub(super) boards: Cycle<Board>,
 }
 
 impl Options {
-    /// A plain display is the first, but not always the one to begin with.
+    /// Creates the options. The plain display is first in the list; `display` is selected if given.
     pub(super) fn new(plain: Display, display: Option<Display>) -> Self {
         let [board, boards @ ..] = BOARDS;
         Self {
-            displays: Cycle::new(plain, DISPLAYS).at(&display.unwrap_or(plain)),
+            displays: Cycle::new(plain, DISPLAYS).starting_at(&display.unwrap_or(plain)),
             orders: Cycle::new(Order::Progressive, [Order::Scanlines]),
             dithers: Cycle::new(Dither::Ordered, [Dither::Off]),
             transfers: Cycle::new(Transfer::Linear, [Transfer::Srgb]),
@@ -32,16 +33,16 @@ impl Options {
         }
     }
 
-    /// Gives the display the next format, whichever it really has.
+    /// Selects the next format, even if the real display does not support it.
     pub(super) fn next_format(&mut self) {
         let display = self.displays.current_mut();
         let formats = Format::value_variants();
-        let place = formats.iter().position(|format| *format == display.format);
-        let next = place.map_or(0, |place| (place + 1) % formats.len());
+        let index = formats.iter().position(|format| *format == display.format);
+        let next = index.map_or(0, |index| (index + 1) % formats.len());
         display.format = formats[next];
     }
 
-    /// How the display shows a picture.
+    /// Returns the transfer function and dithering.
     pub(super) fn output(&self) -> Output {
         Output {
             transfer: *self.transfers.current(),
@@ -49,7 +50,7 @@ impl Options {
         }
     }
 
-    /// All of it in words, but for the board.
+    /// Describes the options, except the board.
     pub(super) fn text(&self) -> String {
         let display = self.displays.current();
         let Size { width, height } = display.size;
@@ -66,11 +67,11 @@ impl Options {
             Order::Scanlines => "line by line",
         };
         let edges = match self.edges.current() {
-            None => "jagged",
+            None => "no antialiasing",
             Some(SampleCount::Four) => "4 rays at edges",
             Some(SampleCount::Sixteen) => "16 rays at edges",
         };
-        let (name, format) = (display.name, format_name(display.format));
+        let (name, format) = (display.name, display.format.name());
         format!("{name} {width}x{height} {format}, {dither}, {transfer}, {edges}, {order}")
     }
 }

@@ -5,17 +5,17 @@ use whitted_sim::scene_file::Buffer;
 use crate::open::{self, Scene};
 use crate::outcome::Outcome;
 
-/// A scene's file, and what was read from it.
+/// Scene file that is reloaded when it changes.
 pub(super) struct Source {
     pub(super) path: PathBuf,
-    /// What could be read last.
+    /// Last version that could be read.
     scene: Option<Scene>,
-    /// What is wrong with the file as it is now.
+    /// Error in the current version, if any.
     error: Option<String>,
 }
 
 impl Source {
-    /// A scene that there is; it is not read yet.
+    /// Finds the file without reading it.
     pub(super) fn find(path: &Path) -> Outcome<Self> {
         Ok(Self {
             path: open::find(path)?,
@@ -24,7 +24,7 @@ impl Source {
         })
     }
 
-    /// Reads the file. If something is wrong with it, the scene stays as it was.
+    /// Reads the file. On an error, keeps the last good scene.
     pub(super) fn read(&mut self, buffer: &mut Buffer) {
         let scene = Scene::read(&self.path).and_then(|scene| {
             scene.prepare(buffer)?;
@@ -39,23 +39,23 @@ impl Source {
         }
     }
 
-    /// The scene, if the file was fine once.
+    /// Returns the last good scene; `None` if every version had an error.
     pub(super) fn scene(&self) -> Option<&Scene> {
         self.scene.as_ref()
     }
 
-    /// What is wrong with the file.
+    /// Returns the error in the current version of the file.
     pub(super) fn error(&self) -> Option<&str> {
         self.error.as_deref()
     }
 
-    /// What the scene is called.
+    /// Returns the file name without its extension.
     pub(super) fn name(&self) -> String {
         let stem = self.path.file_stem().unwrap_or(self.path.as_os_str());
         stem.to_string_lossy().into_owned()
     }
 
-    /// A message that names the file without the directory.
+    /// Removes the directory from a message that begins with the file's path.
     fn shortened(&self, message: &str) -> String {
         let name = self.path.file_name().unwrap_or_default().to_string_lossy();
         message.replacen(&self.path.display().to_string(), &name, 1)

@@ -1,4 +1,4 @@
-//! What is said below the picture.
+//! Status text below the picture.
 
 use embedded_graphics::mono_font::MonoTextStyle;
 use embedded_graphics::mono_font::iso_8859_1::FONT_6X13;
@@ -15,46 +15,46 @@ const LINES: usize = 6;
 const LINE_HEIGHT: u32 = 15;
 const MARGIN: u32 = 6;
 
-/// The height of all lines.
+/// Height of the status text in pixels.
 pub(super) const HEIGHT: u32 = LINES as u32 * LINE_HEIGHT + 2 * MARGIN;
 
 pub(super) const BACKGROUND: Rgb888 = Rgb888::new(0x14, 0x16, 0x1a);
 const PLAIN: Rgb888 = Rgb888::new(0xb8, 0xbe, 0xc8);
 const BRIGHT: Rgb888 = Rgb888::WHITE;
-/// Also what a test looks for.
+/// Color of errors; `tests/window` looks for it.
 pub(super) const ERROR: Rgb888 = Rgb888::new(0xff, 0x6b, 0x5e);
 
-/// What is to be said.
+/// Content of the status text.
 pub(super) struct Status<'a> {
     pub(super) scene: String,
-    /// Which of the scenes it is.
+    /// Index of the scene, and the number of scenes.
     pub(super) place: (usize, usize),
     pub(super) options: String,
-    /// What was asked for so far.
+    /// Work done so far.
     pub(super) work: &'a Work,
-    /// How much of the picture is drawn.
+    /// Drawn share of the picture in percent.
     pub(super) percent: u64,
     pub(super) model: &'a Model,
     pub(super) board: Board,
-    /// Bytes of the prepared scene.
+    /// Size of the prepared scene in bytes.
     pub(super) memory: usize,
-    /// Bytes of the renderer.
+    /// Size of the renderer and its line buffers in bytes.
     pub(super) renderer: usize,
     pub(super) notice: Notice<'a>,
 }
 
-/// What is said in the last lines.
+/// Content of the last lines of the status text.
 pub(super) enum Notice<'a> {
     Message(&'a str),
     Error(&'a str),
-    /// In all lines.
+    /// The list of keys, in place of all lines.
     Help,
 }
 
 type Line = (String, Rgb888);
 
 impl Status<'_> {
-    /// Draws the lines.
+    /// Draws the status text.
     pub(super) fn draw<D: DrawTarget<Color = Rgb888>>(
         &self,
         target: &mut D,
@@ -96,16 +96,16 @@ impl Status<'_> {
         format!("{scene} ({} of {count}) on {options}", place + 1)
     }
 
-    /// What was asked for so far, and how long that takes.
+    /// Formats the work done so far, and the estimated time on the board.
     fn work(&self) -> String {
         let Stats {
-            camera: eye,
+            camera,
             reflected,
             transmitted,
             shadow,
             ..
         } = self.work.stats;
-        let rays = [eye, reflected, transmitted].map(u64::from).iter().sum();
+        let rays = [camera, reflected, transmitted].map(u64::from).iter().sum();
         let [rays, shadow] = [rays, shadow.into()].map(grouped);
         let Board {
             core,
@@ -125,11 +125,11 @@ impl Status<'_> {
     fn memory(&self) -> String {
         let bytes = [self.memory, self.renderer];
         let [scene, renderer] = bytes.map(|bytes| grouped(bytes as u64));
-        format!("memory: {scene} bytes the scene, {renderer} the renderer")
+        format!("memory: scene {scene} bytes, renderer {renderer} bytes")
     }
 }
 
-/// The lines of a text, broken where they are too long.
+/// Breaks the lines of a text between words so that they fit a number of columns.
 fn wrapped(text: &str, columns: usize) -> impl Iterator<Item = String> {
     text.lines().flat_map(move |line| {
         let mut lines = vec![String::new()];
@@ -152,7 +152,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn long_lines_are_wrapped_between_words() {
+    fn wraps_long_lines_between_words() {
         let lines: Vec<_> = wrapped("one two three\n  help: four", 8).collect();
         assert_eq!(lines, ["one two", "three", "help:", "four"]);
     }

@@ -5,25 +5,25 @@ use crate::args::Quality;
 use crate::open::Scene;
 use crate::outcome::Outcome;
 
-/// How far the camera was moved from where the scene has it.
+/// Camera movement relative to the scene's camera.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Viewpoint {
-    /// Degrees to the right.
+    /// Orbit to the right, in degrees.
     pub(super) yaw: i32,
-    /// Degrees up.
+    /// Orbit upward, in degrees.
     pub(super) pitch: i32,
-    /// Steps of a tenth of the field of view.
+    /// Zoom steps; each changes the field of view by a tenth.
     pub(super) zoom: i32,
 }
 
 impl Viewpoint {
-    /// Degrees of a step around the scene.
+    /// Orbit step in degrees.
     pub(super) const STEP: i32 = 5;
 
-    /// The scene as it is seen from here.
+    /// Prepares the scene with the moved camera.
     pub(super) fn prepare<'b>(
         self,
-        scene: &Scene,
+        scene: &'b Scene,
         quality: &Quality,
         buffer: &'b mut Buffer,
     ) -> Outcome<PreparedScene<'b>> {
@@ -52,7 +52,7 @@ mod tests {
     use whitted::Vec3;
 
     #[test]
-    fn a_camera_is_moved_and_zooms() {
+    fn orbits_and_zooms() {
         let eye = Vec3::lit("0", "1", "8");
         let camera = Camera::new(eye, Vec3::lit("0", "1", "0"), Real::lit("50"));
         let right = Viewpoint {

@@ -7,21 +7,23 @@ use notify::{Event, RecommendedWatcher, RecursiveMode, Watcher};
 
 use crate::outcome::Outcome;
 
-/// How long files must rest: an editor may take several steps to save one.
-const REST: Duration = Duration::from_millis(50);
+/// Time without further changes before a change is reported; editors save in several steps.
+const DEBOUNCE: Duration = Duration::from_millis(50);
 
-/// Watches files; their directories in truth, as editors put a new file in the
-/// place of the old one.
+/// Watcher of scene files.
+///
+/// Watches the directories, since editors replace a file by a new one, which a watch on the file
+/// itself would miss.
 pub(super) struct Watch {
     events: Receiver<notify::Result<Event>>,
     names: Vec<OsString>,
-    /// When a file changed last that was not told of yet.
+    /// Time of the last change that was not reported yet.
     last: Option<Instant>,
     _watcher: RecommendedWatcher,
 }
 
 impl Watch {
-    /// Begins to watch.
+    /// Starts watching.
     pub(super) fn new<'p>(files: impl Iterator<Item = &'p Path>) -> Outcome<Self> {
         let (sender, events) = channel();
         let mut watcher = notify::recommended_watcher(sender)?;
@@ -46,18 +48,20 @@ impl Watch {
         })
     }
 
-    /// Whether a file has changed, and rests now. Told once.
+    /// Returns true once after a file has changed.
     pub(super) fn has_changed(&mut self) -> bool {
         while let Ok(event) = self.events.try_recv() {
-            if event.is_ok_and(|event| self.concerns(&event)) {
+            if event.is_ok_and(|event| self.is_relevant(&event)) {
                 self.last = Some(Instant::now());
             }
         }
-        self.last.take_if(|last| last.elapsed() >= REST).is_some()
+        self.last
+            .take_if(|last| last.elapsed() >= DEBOUNCE)
+            .is_some()
     }
 
-    /// Whether a file was written, moved or removed. To be read changes nothing.
-    fn concerns(&self, event: &Event) -> bool {
+    /// Returns true if the event wrote, moved or removed a watched file. Reading is no change.
+    fn is_relevant(&self, event: &Event) -> bool {
         let mut names = event.paths.iter().filter_map(|path| path.file_name());
         !event.kind.is_access() && names.any(|name| self.names.iter().any(|known| known == name))
     }

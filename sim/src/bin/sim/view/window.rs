@@ -1,4 +1,4 @@
-//! The window: pictures out, keys in.
+//! Window of `sim view`: shows the picture and the status text, and reads keys.
 
 use std::time::{Duration, Instant};
 
@@ -13,14 +13,14 @@ use super::workbench::Workbench;
 use crate::args::View;
 use crate::outcome::Outcome;
 
-/// What pictures have room in: they are scaled up to it, by whole numbers.
-const ROOM: Size = Size::new(640, 480);
-/// Around the display.
-const TABLE: Rgb888 = Rgb888::new(0x30, 0x32, 0x36);
-/// How long is drawn before the window is looked after again.
-const PATIENCE: Duration = Duration::from_millis(12);
+/// Smallest area for the picture; the picture is scaled up by an integer to fill it.
+const MIN_AREA: Size = Size::new(640, 480);
+/// Color around the display.
+const SURROUND: Rgb888 = Rgb888::new(0x30, 0x32, 0x36);
+/// Drawing time between two updates of the window.
+const UPDATE_INTERVAL: Duration = Duration::from_millis(12);
 
-/// Shows scenes until the window is closed.
+/// Shows scenes until the user closes the window.
 pub(crate) fn view(options: &View) -> Outcome {
     let mut workbench = Workbench::new(options)?;
     let mut watch = Watch::new(workbench.files())?;
@@ -40,17 +40,17 @@ pub(crate) fn view(options: &View) -> Outcome {
             changed = true;
         }
         if watch.has_changed() {
-            workbench.read();
+            workbench.reload();
             changed = true;
         }
         let start = Instant::now();
-        while start.elapsed() < PATIENCE && workbench.tick() {
+        while start.elapsed() < UPDATE_INTERVAL && workbench.draw_step() {
             changed = true;
         }
     }
 }
 
-/// The key that is meant, if it is one.
+/// Returns the action of an event, if it is a key with an action.
 fn key(event: &SimulatorEvent) -> Option<Key> {
     match event {
         SimulatorEvent::Quit => Some(Key::Quit),
@@ -63,35 +63,35 @@ fn key(event: &SimulatorEvent) -> Option<Key> {
 
 struct Window {
     window: MultiWindow,
-    room: Size,
+    area: Size,
     status: SimulatorDisplay<Rgb888>,
 }
 
 impl Window {
-    /// A window with room for a picture of the size.
+    /// Opens a window that fits a picture of the size.
     fn new(size: Size) -> Self {
-        let room = ROOM.component_max(size);
-        let below = Size::new(room.width, status::HEIGHT);
-        let whole = Size::new(room.width, room.height + below.height);
+        let area = MIN_AREA.component_max(size);
+        let below = Size::new(area.width, status::HEIGHT);
+        let whole = Size::new(area.width, area.height + below.height);
         let mut window = MultiWindow::new("whitted", whole);
         let status = SimulatorDisplay::new(below);
-        let corner = Point::new(0, room.height as i32);
+        let corner = Point::new(0, area.height as i32);
         window.add_display(&status, corner, &OutputSettings::default());
         Self {
             window,
-            room,
+            area,
             status,
         }
     }
 
-    /// Draws how things are.
+    /// Draws the picture and the status text.
     fn draw(&mut self, workbench: &mut Workbench) {
         let (panel, display) = workbench.picture();
-        let fits = self.room.component_div(panel.size());
+        let fits = self.area.component_div(panel.size());
         let settings = display.settings(fits.width.min(fits.height).max(1));
-        let margin = self.room - panel.output_size(&settings);
+        let margin = self.area - panel.output_size(&settings);
         let corner = Point::zero() + margin / 2;
-        self.window.clear(TABLE);
+        self.window.clear(SURROUND);
         self.window.add_display(panel, corner, &settings);
         self.window.update_display(panel);
         let Ok(()) = workbench.status().draw(&mut self.status);

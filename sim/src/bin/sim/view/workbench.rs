@@ -13,19 +13,20 @@ use super::options::Options;
 use super::source::Source;
 use super::status::{Notice, Status};
 use super::viewpoint::Viewpoint;
-use crate::args::{Format, Quality, View};
+use crate::args::{Quality, View};
 use crate::display::Display;
+use crate::format::Format;
 use crate::open;
 use crate::outcome::Outcome;
 
-/// What the window shows and what keys do, without a window.
+/// State of `sim view`, independent of the window: scenes, options, camera and picture.
 pub(super) struct Workbench {
     sources: Cycle<Source>,
     options: Options,
     viewpoint: Viewpoint,
     quality: Quality,
     model: Model,
-    /// The memory that the scene is prepared in, for each step anew.
+    /// Buffer in which each drawing step prepares the scene.
     buffer: Box<Buffer>,
     frame: Frame,
     message: String,
@@ -35,7 +36,7 @@ pub(super) struct Workbench {
 const GREETING: &str = "h: help";
 
 impl Workbench {
-    /// The first of the scenes on a display.
+    /// Loads the first scene and selects the display.
     pub(super) fn new(options: &View) -> Outcome<Self> {
         let sources = sources(options)?;
         let quality = options.quality;
@@ -52,11 +53,11 @@ impl Workbench {
             message: GREETING.to_owned(),
             shows_help: false,
         };
-        workbench.read();
+        workbench.reload();
         Ok(workbench)
     }
 
-    /// The files of the scenes.
+    /// Returns the paths of the scene files.
     pub(super) fn files(&self) -> impl Iterator<Item = &Path> {
         self.sources
             .all()
@@ -64,25 +65,25 @@ impl Workbench {
             .map(|source| source.path.as_path())
     }
 
-    /// What is on the display, and which display it is.
+    /// Returns the picture drawn so far and its display.
     pub(super) fn picture(&mut self) -> (&SimulatorDisplay<Rgb888>, &Display) {
         self.frame.picture()
     }
 
-    /// Does what a key is for.
+    /// Carries out the action of a key.
     pub(super) fn press(&mut self, key: Key) {
         self.message = GREETING.to_owned();
         self.shows_help = key == Key::Help && !self.shows_help;
         match key {
-            Key::Left => self.look(|view| view.yaw -= Viewpoint::STEP),
-            Key::Right => self.look(|view| view.yaw += Viewpoint::STEP),
-            Key::Up => self.look(|view| view.pitch += Viewpoint::STEP),
-            Key::Down => self.look(|view| view.pitch -= Viewpoint::STEP),
-            Key::Closer => self.look(|view| view.zoom += 1),
-            Key::Farther => self.look(|view| view.zoom -= 1),
-            Key::Reset => self.look(|view| *view = Viewpoint::default()),
-            Key::NextScene => self.turn_to(Cycle::next),
-            Key::PreviousScene => self.turn_to(Cycle::previous),
+            Key::Left => self.move_camera(|view| view.yaw -= Viewpoint::STEP),
+            Key::Right => self.move_camera(|view| view.yaw += Viewpoint::STEP),
+            Key::Up => self.move_camera(|view| view.pitch += Viewpoint::STEP),
+            Key::Down => self.move_camera(|view| view.pitch -= Viewpoint::STEP),
+            Key::Closer => self.move_camera(|view| view.zoom += 1),
+            Key::Farther => self.move_camera(|view| view.zoom -= 1),
+            Key::Reset => self.move_camera(|view| *view = Viewpoint::default()),
+            Key::NextScene => self.switch_scene(Cycle::next),
+            Key::PreviousScene => self.switch_scene(Cycle::previous),
             Key::Display => {
                 self.options.displays.next();
                 self.clear();
@@ -113,24 +114,24 @@ impl Workbench {
         }
     }
 
-    /// Reads the scene anew, as its file has changed.
-    pub(super) fn read(&mut self) {
+    /// Reloads the scene from its file.
+    pub(super) fn reload(&mut self) {
         self.sources.current_mut().read(&mut self.buffer);
         self.restart();
     }
 
-    /// Draws on for a while. Returns whether there was something to draw.
-    pub(super) fn tick(&mut self) -> bool {
+    /// Draws the next step. Returns false if the picture is complete.
+    pub(super) fn draw_step(&mut self) -> bool {
         let output = self.options.output();
         !self.frame.is_complete() && self.with_scene(|frame, scene| frame.step(scene, output))
     }
 
-    /// What is said below the picture.
+    /// Returns the content of the status text.
     pub(super) fn status(&self) -> Status<'_> {
         let source = self.sources.current();
         Status {
             scene: source.name(),
-            place: self.sources.place(),
+            place: self.sources.position(),
             options: self.options.text(),
             work: &self.frame.work,
             percent: self.frame.percent(),
@@ -146,48 +147,48 @@ impl Workbench {
         }
     }
 
-    fn look(&mut self, change: impl FnOnce(&mut Viewpoint)) {
+    fn move_camera(&mut self, change: impl FnOnce(&mut Viewpoint)) {
         let (before, camera) = (self.viewpoint, self.camera());
         change(&mut self.viewpoint);
         match self.camera() {
             Some(moved) if Some(moved) != camera => {
                 self.restart();
             }
-            // It goes so far and no farther.
+            // The camera is at the end of its range.
             _ => self.viewpoint = before,
         }
     }
 
-    /// The camera where it was moved to, if it can be there.
+    /// Returns the moved camera, if the scene can be prepared with it.
     fn camera(&mut self) -> Option<Camera> {
         let mut camera = None;
         self.with_scene(|_, scene| camera = Some(scene.camera()));
         camera
     }
 
-    fn turn_to(&mut self, scene: impl FnOnce(&mut Cycle<Source>)) {
-        scene(&mut self.sources);
+    fn switch_scene(&mut self, select: impl FnOnce(&mut Cycle<Source>)) {
+        select(&mut self.sources);
         self.viewpoint = Viewpoint::default();
         self.clear();
-        self.read();
+        self.reload();
     }
 
-    /// Begins anew on a dark display.
+    /// Restarts drawing on a black display.
     fn clear(&mut self) {
         self.frame = Frame::new(*self.options.displays.current());
         self.restart();
     }
 
-    /// Begins anew; what is shown stays until it is drawn over.
+    /// Restarts drawing. The old picture stays until new pixels replace it.
     fn restart(&mut self) -> bool {
         let order = *self.options.orders.current();
         let edges = *self.options.edges.current();
         self.with_scene(|frame, scene| frame.restart(scene, order, edges))
     }
 
-    /// Does something with the scene as it is seen now. Returns whether it did,
-    /// as a file may never have been fine.
-    fn with_scene(&mut self, act: impl FnOnce(&mut Frame, &PreparedScene<'_>)) -> bool {
+    /// Calls a function with the frame and the prepared scene. Returns false if the scene cannot be
+    /// prepared, or if its file never had a valid version.
+    fn with_scene(&mut self, call: impl FnOnce(&mut Frame, &PreparedScene<'_>)) -> bool {
         let Some(scene) = self.sources.current().scene() else {
             return false;
         };
@@ -195,13 +196,13 @@ impl Workbench {
             .viewpoint
             .prepare(scene, &self.quality, &mut self.buffer);
         match &prepared {
-            Ok(prepared) => act(&mut self.frame, prepared),
+            Ok(prepared) => call(&mut self.frame, prepared),
             Err(error) => self.message = error.to_string(),
         }
         prepared.is_ok()
     }
 
-    /// Saves the picture in the current directory, as the display shows it.
+    /// Saves the picture as the display looks, in the current directory.
     fn save(&mut self) {
         let scene = self.sources.current().name();
         let (picture, display) = self.picture();
@@ -214,7 +215,7 @@ impl Workbench {
     }
 }
 
-/// The scenes of the command line, or all, the project's first one first.
+/// Returns the scenes of the command line, or all scenes in scenes/ with `whitted` first.
 fn sources(options: &View) -> Outcome<Cycle<Source>> {
     let (first, others) = match options.scenes.split_first() {
         Some((first, others)) => (first.clone(), others.to_vec()),

@@ -4,13 +4,13 @@ use std::{env, fs, process};
 use embedded_graphics::prelude::*;
 
 use super::*;
-use crate::args::{Passes, Shown};
+use crate::args::{DisplayOptions, Passes};
 use crate::draw::draw;
 use crate::open::Scene;
 
 const SCENE: &str = include_str!("../../../../../../scenes/whitted.toml");
 
-/// Files of a test's own.
+/// Temporary directory of one test.
 struct Directory(PathBuf);
 
 impl Directory {
@@ -49,23 +49,22 @@ fn workbench(scenes: &[PathBuf], display: &str) -> Outcome<Workbench> {
     })
 }
 
-/// All pixels, once there is nothing left to draw.
+/// Draws the picture to its end and returns its pixels.
 fn drawn(workbench: &mut Workbench) -> Vec<Rgb888> {
-    while workbench.tick() {}
+    while workbench.draw_step() {}
     let panel = workbench.picture().0;
     let points = panel.bounding_box().points();
     points.map(|point| panel.get_pixel(point)).collect()
 }
 
-/// What `sim render` makes of it.
+/// Returns the pixels that `sim render` draws.
 fn rendered(path: &Path, display: &str) -> Outcome<Vec<Rgb888>> {
     let scene = Scene::open(path)?;
     let mut buffer = Box::new(Buffer::new());
     let prepared = scene.prepare(&mut buffer)?;
     let display = Display::named(display)?;
-    let mut shown = Shown::default();
-    shown.format = display.format;
-    let image = draw(&prepared, display.size, shown, Passes::default())?.image;
+    let options = DisplayOptions::default().with_format(display.format);
+    let image = draw(&prepared, display.size, options, Passes::default())?.image;
     let image = image.as_image_buffer();
     Ok(image
         .pixels()
@@ -81,7 +80,7 @@ fn notice(workbench: &Workbench) -> String {
 }
 
 #[test]
-fn it_draws_what_render_draws_in_either_order() -> Outcome {
+fn draws_the_same_as_render_in_both_orders() -> Outcome {
     let here = Directory::new("orders")?;
     let scene = here.write("scene.toml", SCENE)?;
     let expected = rendered(&scene, "st7735")?;
@@ -94,10 +93,10 @@ fn it_draws_what_render_draws_in_either_order() -> Outcome {
 }
 
 #[test]
-fn the_first_step_shows_something_everywhere() -> Outcome {
+fn first_step_covers_the_whole_picture() -> Outcome {
     let here = Directory::new("first")?;
     let mut workbench = workbench(&[here.write("scene.toml", SCENE)?], "ili9341")?;
-    assert!(workbench.tick());
+    assert!(workbench.draw_step());
     assert!(workbench.status().percent < 10);
     let panel = workbench.picture().0;
     assert!(panel.get_pixel(Point::new(300, 20)).b() > 150);
@@ -106,7 +105,7 @@ fn the_first_step_shows_something_everywhere() -> Outcome {
 }
 
 #[test]
-fn a_broken_file_keeps_the_picture_until_it_is_mended() -> Outcome {
+fn keeps_the_picture_while_the_file_has_an_error() -> Outcome {
     let here = Directory::new("broken")?;
     let scene = here.write("scene.toml", SCENE)?;
     let mut workbench = workbench(std::slice::from_ref(&scene), "ssd0323")?;
@@ -115,22 +114,22 @@ fn a_broken_file_keeps_the_picture_until_it_is_mended() -> Outcome {
         "scene.toml",
         &SCENE.replace("max_depth = 6", "max_depth = 60"),
     )?;
-    workbench.read();
+    workbench.reload();
     let line = SCENE.lines().position(|line| line.starts_with("max_depth"));
-    let told = format!("scene.toml:{}: max_depth: ", line.ok_or("no line")? + 1);
+    let error = format!("scene.toml:{}: max_depth: ", line.ok_or("no line")? + 1);
     assert!(
-        notice(&workbench).starts_with(&told),
+        notice(&workbench).starts_with(&error),
         "{}",
         notice(&workbench)
     );
     assert!(drawn(&mut workbench) == before);
-    // Keys go on working, with what was read last.
+    // Keys act on the last good scene.
     workbench.press(Key::Right);
     assert!(drawn(&mut workbench) != before);
     workbench.press(Key::Reset);
-    let mended = SCENE.replace("max_depth = 6", "max_depth = 0");
-    here.write("scene.toml", &mended)?;
-    workbench.read();
+    let fixed = SCENE.replace("max_depth = 6", "max_depth = 0");
+    here.write("scene.toml", &fixed)?;
+    workbench.reload();
     assert_eq!(notice(&workbench), GREETING);
     assert!(drawn(&mut workbench) == rendered(&scene, "ssd0323")?);
     assert!(drawn(&mut workbench) != before);
@@ -138,7 +137,7 @@ fn a_broken_file_keeps_the_picture_until_it_is_mended() -> Outcome {
 }
 
 #[test]
-fn a_file_that_was_never_fine_leaves_the_display_dark() -> Outcome {
+fn display_stays_black_if_the_file_never_loads() -> Outcome {
     let here = Directory::new("never")?;
     let files = [
         here.write("a.toml", SCENE)?,
@@ -157,16 +156,16 @@ fn a_file_that_was_never_fine_leaves_the_display_dark() -> Outcome {
 }
 
 #[test]
-fn the_camera_goes_so_far_and_back() -> Outcome {
+fn camera_stops_at_its_limits_and_returns() -> Outcome {
     let here = Directory::new("camera")?;
     let mut workbench = workbench(&[here.write("scene.toml", SCENE)?], "ssd0323")?;
-    for (there, back) in [(Key::Up, Key::Down), (Key::Farther, Key::Closer)] {
+    for (key, opposite) in [(Key::Up, Key::Down), (Key::Farther, Key::Closer)] {
         for _ in 0..100 {
-            workbench.press(there);
+            workbench.press(key);
         }
-        let farthest = drawn(&mut workbench);
-        workbench.press(back);
-        assert!(drawn(&mut workbench) != farthest, "{back:?}");
+        let limit = drawn(&mut workbench);
+        workbench.press(opposite);
+        assert!(drawn(&mut workbench) != limit, "{opposite:?}");
     }
     workbench.press(Key::Reset);
     assert_eq!(workbench.viewpoint, Viewpoint::default());
@@ -174,7 +173,7 @@ fn the_camera_goes_so_far_and_back() -> Outcome {
 }
 
 #[test]
-fn a_compiled_scene_is_orbited_as_its_file() -> Outcome {
+fn compiled_scene_orbits_like_its_file() -> Outcome {
     let here = Directory::new("compiled")?;
     let scene = here.write("scene.toml", SCENE)?;
     let compiled = here.0.join("compiled.scene");
@@ -190,14 +189,14 @@ fn a_compiled_scene_is_orbited_as_its_file() -> Outcome {
 }
 
 #[test]
-fn keys_go_through_scenes_displays_formats_and_chips() -> Outcome {
+fn keys_select_scenes_and_display_options() -> Outcome {
     let here = Directory::new("keys")?;
     let files = [here.write("a.toml", SCENE)?, here.write("b.toml", SCENE)?];
     let mut workbench = workbench(&files, "ssd1306")?;
     let title = |workbench: &Workbench| workbench.status().title();
     assert_eq!(
         title(&workbench),
-        "a (1 of 2) on ssd1306 128x64 binary, dither, linear, jagged, progressive"
+        "a (1 of 2) on ssd1306 128x64 binary, dither, linear, no antialiasing, progressive"
     );
     use Key::{Antialiasing, Display, Dither, Format, NextScene, Order, Transfer};
     for key in [
@@ -228,19 +227,19 @@ fn keys_go_through_scenes_displays_formats_and_chips() -> Outcome {
 }
 
 #[test]
-fn edges_are_smoothed_once_all_else_is_drawn() -> Outcome {
+fn antialiases_after_the_first_drawing() -> Outcome {
     let here = Directory::new("edges")?;
     let mut workbench = workbench(&[here.write("scene.toml", SCENE)?], "ssd0323")?;
-    let jagged = drawn(&mut workbench);
-    let few = workbench.status().work.stats.camera;
+    let aliased = drawn(&mut workbench);
+    let rays = workbench.status().work.stats.camera;
     workbench.press(Key::Antialiasing);
-    let smooth = drawn(&mut workbench);
-    assert!(smooth != jagged);
-    assert!(workbench.status().work.stats.camera > few);
+    let antialiased = drawn(&mut workbench);
+    assert!(antialiased != aliased);
+    assert!(workbench.status().work.stats.camera > rays);
     assert_eq!(workbench.status().percent, 100);
     for _ in 0..2 {
         workbench.press(Key::Antialiasing);
     }
-    assert!(drawn(&mut workbench) == jagged);
+    assert!(drawn(&mut workbench) == aliased);
     Ok(())
 }

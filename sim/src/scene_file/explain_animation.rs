@@ -2,13 +2,13 @@ use whitted::animation::{AnimationError, AnimationProblem, Target};
 use whitted::scene::SceneItem;
 use whitted::{Real, SceneError};
 
-use crate::scene_file::error::LoadError;
-use crate::scene_file::example::example;
-use crate::scene_file::file::SceneFile;
+use super::error::LoadError;
+use super::example::example;
+use super::file::SceneFile;
 
 impl SceneFile {
-    /// Leads an error in an animation back to its key.
-    pub(in crate::scene_file) fn explain_animation(&self, error: AnimationError) -> LoadError {
+    /// Converts an animation error of the library to an error with a line and a key.
+    pub(super) fn explain_animation(&self, error: AnimationError) -> LoadError {
         let keys = match error.track {
             Some(track) => format!("animation.tracks[{track}].keys"),
             None => "animation.duration".to_owned(),
@@ -16,37 +16,37 @@ impl SceneFile {
         let key = |index: u16| format!("{keys}[{index}]");
         match error.problem {
             AnimationProblem::Duration => self
-                .wrong(keys, "must be above 0, at most 16777216 seconds")
+                .error_at(keys, "must be above 0, at most 16777216 seconds")
                 .help(format!("write for example `{}`", example("duration"))),
             AnimationProblem::Unsorted(index) => self
-                .wrong(key(index), "is before the key above it")
-                .help("put keys in the order of their times"),
+                .error_at(key(index), "is earlier than the keyframe before it")
+                .help("sort the keyframes by time"),
             AnimationProblem::Crowded(index) => self
-                .wrong(key(index), "is the third key of its time")
-                .help("two are a jump or a corner; leave the others out"),
+                .error_at(key(index), "is the third keyframe at one time")
+                .help("keep two for a jump or a corner, and remove the others"),
             AnimationProblem::OutsideDuration(index) => self
-                .wrong(key(index), "is not within the duration")
-                .help("give it a time from 0 to `duration`, or make that longer"),
-            problem => self.wrong(keys, problem.to_string()),
+                .error_at(key(index), "is outside the duration")
+                .help("use a time from 0 to `duration`, or increase `duration`"),
+            problem => self.error_at(keys, problem.to_string()),
         }
     }
 
-    /// Leads what is wrong with a frame back to the track that made it so, or
-    /// else to what is still.
+    /// Converts an error in the frame at `time` to an error about the track that may have caused it,
+    /// or about the rejected key if no track animates it.
     pub fn explain_frame(&self, error: SceneError, time: Real) -> LoadError {
-        let mut moves = self.animation.iter().flat_map(|motion| &motion.moves);
-        if let Some(track) = moves.position(|track| is_about(&error, track.target)) {
+        let mut tracks = self.animation.iter().flat_map(|it| &it.tracks);
+        if let Some(track) = tracks.position(|track| may_cause(track.target, &error)) {
             let reason = format!("at {time:.3} s, {} {}", error.field, error.problem);
-            return self.wrong(format!("animation.tracks[{track}].keys"), reason);
+            return self.error_at(format!("animation.tracks[{track}].keys"), reason);
         }
-        let still = self.explain(error);
+        let error = self.explain(error);
         LoadError {
-            reason: format!("at {time:.3} s, {}", still.reason),
-            ..still
+            reason: format!("at {time:.3} s, {}", error.reason),
+            ..error
         }
     }
 
-    fn wrong(&self, key: String, reason: impl Into<String>) -> LoadError {
+    fn error_at(&self, key: String, reason: impl Into<String>) -> LoadError {
         LoadError {
             file: self.outline.name().to_owned(),
             line: self.outline.find(&key).map(|entry| entry.line),
@@ -57,8 +57,8 @@ impl SceneFile {
     }
 }
 
-/// Whether an error may come from moving a target.
-fn is_about(error: &SceneError, target: Target) -> bool {
+/// Returns true if animating the target may cause the error.
+fn may_cause(target: Target, error: &SceneError) -> bool {
     let SceneError { item, field, .. } = *error;
     match target {
         Target::CameraOrbit => item == SceneItem::Camera,

@@ -1,0 +1,144 @@
+//! Options that several commands share: size, ray limits, display format, order of drawing.
+
+use clap::{ValueEnum, value_parser};
+use embedded_graphics::geometry::Size;
+use whitted::Real;
+use whitted::render::{Output, SampleCount};
+
+use super::parse::{real, size};
+use crate::format::Format;
+
+/// Size of the picture and limits of the ray tree.
+#[derive(Clone, Copy, clap::Args)]
+pub(crate) struct Quality {
+    /// Width and height in pixels.
+    #[arg(long, value_name = "WxH", default_value = "320x240", value_parser = size)]
+    pub(crate) size: Size,
+    /// Generations of reflected and transmitted rays, 0 to 32 [default: the scene's].
+    #[arg(long, value_name = "N", value_parser = value_parser!(u8).range(0..=32))]
+    pub(crate) max_depth: Option<u8>,
+    /// Weight below which a ray is not traced, 0 to 1 [default: the scene's].
+    #[arg(long, value_name = "X", value_parser = real, allow_negative_numbers = true)]
+    pub(crate) min_weight: Option<Real>,
+}
+
+/// Conversion of linear colors to the display's values.
+#[derive(Clone, Copy, Debug, Default, clap::Args)]
+pub(crate) struct DisplayOptions {
+    /// Color format of the display.
+    #[arg(long, value_enum, default_value_t)]
+    pub(crate) format: Format,
+    /// Dithering of formats with fewer than 8 bits per channel.
+    #[arg(long, value_enum, default_value_t)]
+    dither: Dither,
+    /// Encoding of linear light in the display's values.
+    #[arg(long, value_enum, default_value_t)]
+    transfer: Transfer,
+}
+
+impl DisplayOptions {
+    /// Returns the options with another format.
+    pub(crate) fn with_format(self, format: Format) -> Self {
+        Self { format, ..self }
+    }
+
+    /// Returns the transfer function and dithering in the library's form.
+    pub(crate) fn output(self) -> Output {
+        Output {
+            transfer: match self.transfer {
+                Transfer::Linear => whitted::render::Transfer::Linear,
+                Transfer::Srgb => whitted::render::Transfer::Srgb,
+            },
+            dither: match self.dither {
+                Dither::On => whitted::render::Dither::Ordered,
+                Dither::Off => whitted::render::Dither::Off,
+            },
+        }
+    }
+}
+
+/// Order of drawing, number of passes, and antialiasing.
+#[derive(Clone, Copy, Debug, clap::Args)]
+pub(crate) struct Passes {
+    /// Order in which the display receives its pixels.
+    #[arg(long, value_enum, default_value_t)]
+    pub(crate) order: Order,
+    /// Stop after N passes; progressive order has five passes, scanline order has one.
+    #[arg(long = "passes", value_name = "N", default_value_t = Self::ALL, value_parser = value_parser!(u8).range(1..=5))]
+    pub(crate) limit: u8,
+    /// Antialias edges: trace N more rays through pixels that differ from their neighbors.
+    #[arg(long, value_enum, value_name = "N", conflicts_with_all = ["order", "limit"])]
+    antialias: Option<Antialias>,
+}
+
+impl Passes {
+    const ALL: u8 = 5;
+
+    /// Returns the number of rays per antialiased pixel, or `None` without antialiasing.
+    pub(crate) fn samples(&self) -> Option<SampleCount> {
+        self.antialias.map(Into::into)
+    }
+
+    /// Returns the side of the blocks of each pass, in pixels.
+    pub(crate) fn blocks(&self) -> &'static [u32] {
+        let blocks: &[u32] = match self.order {
+            Order::Scanlines => &[1],
+            Order::Progressive => &[16, 8, 4, 2, 1],
+        };
+        &blocks[..blocks.len().min(self.limit.into())]
+    }
+}
+
+impl Default for Passes {
+    fn default() -> Self {
+        Self {
+            order: Order::default(),
+            limit: Self::ALL,
+            antialias: None,
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Order {
+    /// Line by line from the top
+    #[default]
+    Scanlines,
+    /// In square blocks with sides of 16, then 8, 4, 2 and 1 pixels
+    Progressive,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Antialias {
+    #[value(name = "4")]
+    Four,
+    #[value(name = "16")]
+    Sixteen,
+}
+
+impl From<Antialias> for SampleCount {
+    fn from(antialias: Antialias) -> Self {
+        match antialias {
+            Antialias::Four => Self::Four,
+            Antialias::Sixteen => Self::Sixteen,
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+enum Dither {
+    /// A pattern of the two nearest levels
+    #[default]
+    On,
+    /// The nearest level
+    Off,
+}
+
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+enum Transfer {
+    /// Values proportional to light
+    #[default]
+    Linear,
+    /// Values encoded as sRGB
+    Srgb,
+}

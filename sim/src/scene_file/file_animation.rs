@@ -1,0 +1,62 @@
+use whitted::Real;
+use whitted::animation::{Animation, Interpolation, Keyframe, Target, Track};
+
+/// Content of the table `[animation]` of a scene file, with owned lists.
+#[derive(Clone, Debug)]
+pub struct FileAnimation {
+    /// Duration in seconds.
+    pub duration: Real,
+    /// True if the animation repeats after its duration.
+    pub looping: bool,
+    pub(super) tracks: Vec<FileTrack>,
+}
+
+/// A track with an owned list of keyframes.
+#[derive(Clone, Debug)]
+pub(super) struct FileTrack {
+    pub(super) target: Target,
+    pub(super) interpolation: Interpolation,
+    pub(super) keys: Vec<Keyframe>,
+}
+
+impl FileTrack {
+    fn borrow(&self) -> Track<'_> {
+        Track {
+            target: self.target,
+            interpolation: self.interpolation,
+            keys: &self.keys,
+        }
+    }
+}
+
+impl FileAnimation {
+    /// Returns an animation in which the camera orbits `look_at` once in four seconds.
+    pub fn single_orbit() -> Self {
+        Self {
+            duration: Real::from(4),
+            looping: true,
+            tracks: vec![FileTrack {
+                target: Target::CameraOrbit,
+                interpolation: Interpolation::Linear,
+                keys: vec![
+                    Keyframe::angles("0", "0", "0"),
+                    Keyframe::angles("4", "360", "0"),
+                ],
+            }],
+        }
+    }
+
+    /// Returns the tracks in the form that [`Animation`] borrows.
+    pub fn tracks(&self) -> Vec<Track<'_>> {
+        self.tracks.iter().map(FileTrack::borrow).collect()
+    }
+
+    /// Calls a function with the animation in the library's form.
+    pub(super) fn with_animation<T>(&self, call: impl FnOnce(&Animation<'_>) -> T) -> T {
+        call(&Animation {
+            duration: self.duration,
+            looping: self.looping,
+            tracks: &self.tracks(),
+        })
+    }
+}

@@ -1,0 +1,43 @@
+use whitted::{PreparedScene, Real, Scene};
+
+use super::error::LoadError;
+use super::file::{AnimatedScene, Buffer, SceneFile};
+
+impl SceneFile {
+    /// Prepares the scene.
+    ///
+    /// # Errors
+    /// The line and key of the first value that the library rejects.
+    pub fn prepare<'b>(&'b self, buffer: &'b mut Buffer) -> Result<PreparedScene<'b>, LoadError> {
+        buffer
+            .prepare(&self.scene())
+            .map_err(|error| self.explain(error))
+    }
+
+    /// Returns the scene at a time in seconds. A scene without `[animation]` does not change.
+    ///
+    /// # Errors
+    /// The line and key of the first track that the library rejects.
+    pub fn frame<'s>(
+        &'s self,
+        buffer: &'s mut AnimatedScene,
+        time: Real,
+    ) -> Result<Scene<'s>, LoadError> {
+        let Some(animation) = &self.animation else {
+            return Ok(self.scene());
+        };
+        animation
+            .with_animation(|animation| buffer.frame(&self.scene(), animation, time))
+            .map_err(|error| self.explain_animation(error))
+    }
+
+    /// Checks the animation's duration, keyframe times and targets.
+    pub(super) fn check_animation(&self) -> Result<(), LoadError> {
+        let Some(animation) = &self.animation else {
+            return Ok(());
+        };
+        animation
+            .with_animation(|animation| animation.check(&self.scene()))
+            .map_err(|error| self.explain_animation(error))
+    }
+}

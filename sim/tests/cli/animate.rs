@@ -1,0 +1,189 @@
+//! `sim animate`.
+
+use std::fs::{self, File};
+
+use whitted_sim::png16;
+
+use crate::directory::{Directory, Outcome};
+use crate::frames::{apng_frames, gif_frames};
+
+/// GIF, APNG and numbered PNGs have equal frames. With 16 grays, the palette of the GIF is exact.
+#[test]
+fn all_formats_have_equal_frames() -> Outcome {
+    let here = Directory::new("animate")?;
+    let scene = [
+        "animate",
+        "bouncing_ball",
+        "--size",
+        "40x30",
+        "--frames",
+        "4",
+    ];
+    let gray = [&scene[..], &["--format", "gray4", "-o"]].concat();
+    let output = here.ok(&[&gray[..], &["out"]].concat())?;
+    assert_eq!(output, format!("wrote {}\n", here.0.join("out").display()));
+    here.ok(&[&gray[..], &["ball.gif"]].concat())?;
+    here.ok(&[&gray[..], &["ball.apng"]].concat())?;
+    let mut frames = Vec::new();
+    for index in 0..4 {
+        let picture = png16::read(here.0.join(format!("out/frame-000{index}.png")))?;
+        let samples = picture.pixels.iter().flat_map(|c| [c.r, c.g, c.b]);
+        frames.push(
+            samples
+                .map(|sample| (sample / 257) as u8)
+                .collect::<Vec<_>>(),
+        );
+    }
+    frames.windows(2).for_each(|two| assert!(two[0] != two[1]));
+    let of_gif = gif_frames(&here.0.join("ball.gif"))?;
+    let of_apng = apng_frames(&here.0.join("ball.apng"))?;
+    assert!(of_gif.0 == frames && of_apng.0 == frames);
+    // Four frames in two seconds.
+    assert_eq!((of_gif.1, of_apng.1), (vec![50; 4], vec![500; 4]));
+
+    // The first frame equals the scene without animation.
+    let render = [
+        "render",
+        "bouncing_ball",
+        "--size",
+        "40x30",
+        "--format",
+        "gray4",
+    ];
+    here.ok(&render)?;
+    let output = here.ok(&["compare", "bouncing_ball.png", "out/frame-0000.png"])?;
+    assert!(output.ends_with("the pictures are equal\n"), "{output}");
+    Ok(())
+}
+
+/// A ball that moves a little in front of a static background.
+const BALL: &str = r#"
+[camera]
+eye = [0, 0, 8]
+look_at = [0, 0, 0]
+fovy_deg = 33
+[materials.white]
+le = [1, 1, 1]
+[[objects]]
+type = "sphere"
+name = "ball"
+center = [0, 0, 0]
+radius = 0.5
+material = "white"
+[animation]
+duration = 1
+[[animation.tracks]]
+target = "objects.ball.center"
+keys = [[0, [0, 0, 0]], [1, [1, -0.5, 0]]]
+"#;
+
+#[test]
+fn writes_only_the_changed_area_of_a_frame() -> Outcome {
+    let here = Directory::new("change")?;
+    fs::write(here.0.join("ball.toml"), BALL)?;
+    let scene = [
+        "animate",
+        "ball.toml",
+        "--size",
+        "40x30",
+        "--frames",
+        "3",
+        "-o",
+    ];
+    here.ok(&[&scene[..], &["ball.gif"]].concat())?;
+    here.ok(&[&scene[..], &["ball.apng"]].concat())?;
+    here.ok(&[&scene[..], &["out"]].concat())?;
+    let (of_gif, _) = gif_frames(&here.0.join("ball.gif"))?;
+    let (of_apng, _) = apng_frames(&here.0.join("ball.apng"))?;
+    for (index, (of_gif, of_apng)) in of_gif.iter().zip(&of_apng).enumerate() {
+        let picture = png16::read(here.0.join(format!("out/frame-000{index}.png")))?;
+        let samples = picture.pixels.iter().flat_map(|c| [c.r, c.g, c.b]);
+        let samples: Vec<_> = samples.map(|sample| (sample / 257) as u8).collect();
+        assert!(*of_gif == samples && *of_apng == samples, "frame {index}");
+    }
+    let mut reader = gif::DecodeOptions::new().read_info(File::open(here.0.join("ball.gif"))?)?;
+    let mut sizes = Vec::new();
+    while let Some(frame) = reader.next_frame_info()? {
+        sizes.push((frame.width, frame.height));
+    }
+    assert_eq!(sizes[0], (40, 30));
+    assert!(
+        sizes[1..]
+            .iter()
+            .all(|(width, height)| *width < 16 && *height < 12),
+        "{sizes:?}"
+    );
+    Ok(())
+}
+
+#[test]
+fn gif_palette_approximates_many_colors() -> Outcome {
+    let here = Directory::new("colors")?;
+    let scene = [
+        "animate",
+        "bouncing_ball",
+        "--size",
+        "64x48",
+        "--frames",
+        "3",
+        "-o",
+    ];
+    here.ok(&[&scene[..], &["ball.gif"]].concat())?;
+    here.ok(&[&scene[..], &["ball.png"]].concat())?;
+    let (few, _) = gif_frames(&here.0.join("ball.gif"))?;
+    let (all, _) = apng_frames(&here.0.join("ball.png"))?;
+    for (few, all) in few.iter().zip(&all) {
+        let off = few.iter().zip(all).map(|(a, b)| u32::from(a.abs_diff(*b)));
+        let mean = f64::from(off.sum::<u32>()) / few.len() as f64;
+        assert!(mean < 3.0, "off by {mean} of 255");
+    }
+    Ok(())
+}
+
+#[test]
+fn scene_without_animation_makes_one_orbit() -> Outcome {
+    let here = Directory::new("orbit")?;
+    let output = here.ok(&[
+        "animate", "whitted", "--size", "16x12", "--frames", "4", "-o", "w.gif",
+    ])?;
+    let note = "the scene has no [animation]: the camera makes one orbit\n";
+    assert!(output.starts_with(note), "{output}");
+    let (frames, delays) = gif_frames(&here.0.join("w.gif"))?;
+    assert_eq!((frames.len(), delays), (4, vec![100; 4]));
+    Ok(())
+}
+
+#[test]
+fn error_in_a_frame_names_its_time_and_track() -> Outcome {
+    let here = Directory::new("vanishing")?;
+    let scene = r#"
+[camera]
+eye = [0, 1, 8]
+look_at = [0, 1, 0]
+fovy_deg = 33
+[animation]
+duration = 1
+[[animation.tracks]]
+target = "camera.fovy_deg"
+keys = [[0, 33], [1, 0]]
+"#;
+    fs::write(here.0.join("vanishing.toml"), scene)?;
+    let args = [
+        "animate",
+        "vanishing.toml",
+        "--size",
+        "2x2",
+        "--frames",
+        "2",
+        "-o",
+        "x.gif",
+    ];
+    // A loop leaves out the frame at its end, which has the error.
+    here.ok(&args)?;
+    let once = scene.replace("duration = 1", "duration = 1\nloop = false");
+    fs::write(here.0.join("vanishing.toml"), once)?;
+    let output = here.error(&args)?;
+    let expected = "error: vanishing.toml:11: animation.tracks[0].keys: at 1.000 s, fovy_deg must be from 1 to";
+    assert!(output.starts_with(expected), "{output}");
+    Ok(())
+}

@@ -1,0 +1,125 @@
+//! Errors of the command line.
+
+use std::fs;
+
+use crate::directory::{Directory, Outcome};
+
+#[test]
+fn rejects_bad_input() -> Outcome {
+    let here = Directory::new("bad")?;
+    fs::write(here.0.join("bad.toml"), "colour = 1\n")?;
+    fs::write(here.0.join("bad.scene"), [0xff, 0xfe])?;
+    let cases: [(&[&str], &str); 25] = [
+        (
+            &["render", "bad.toml"],
+            "error: bad.toml:1: colour: a scene has no such key\n  help: ",
+        ),
+        (&["check", "bad.toml"], "error: bad.toml:1: colour: "),
+        (
+            &["compile", "bad.toml", "-o", "x"],
+            "error: bad.toml:1: colour: ",
+        ),
+        (
+            &["check", "bad.scene"],
+            "error: bad.scene: not a compiled scene\n  help: ",
+        ),
+        (
+            &["check", "witted"],
+            "error: witted: no such scene\n  help: did you mean `scenes/whitted.toml`?\n",
+        ),
+        (
+            &["check", "nothing/like.it"],
+            "error: nothing/like.it: no such scene\n  help: the scenes in scenes/ are ",
+        ),
+        (&["compare", "a.png", "b.png"], "error: a.png: "),
+        (
+            &["render", "whitted", "--size", "320"],
+            "error: invalid value '320' for '--size <WxH>': write width and",
+        ),
+        (
+            &["render", "whitted", "--size", "0x9"],
+            "error: invalid value '0x9' for '--size <WxH>': width and",
+        ),
+        (
+            &["render", "whitted", "--max-depth", "33"],
+            "error: invalid value '33' for '--max-depth <N>': 33 is not in 0..=32\n",
+        ),
+        (
+            &["render", "whitted", "--min-weight", "2"],
+            "error: --min-weight 2: must be from 0 to 1\n",
+        ),
+        (
+            &["render", "whitted", "--min-weight", "-1"],
+            "error: --min-weight -1: must be from 0 to 1\n",
+        ),
+        (
+            &["render", "whitted", "--size", "2x2", "-o", "no/x.png"],
+            "error: no/x.png: ",
+        ),
+        (
+            &["render", "whitted", "--display", "ssd1360"],
+            "error: invalid value 'ssd1360' for '--display <NAME>': did you mean `ssd1306`?",
+        ),
+        (
+            &["render", "whitted", "--display", "ssd1306", "--size", "9x9"],
+            "error: the argument '--display <NAME>' cannot be used with '--size <WxH>'",
+        ),
+        (
+            &["explain", "whitted", "320", "0"],
+            "error: pixel 320 0: outside the picture of 320x240\n  help: x must be from 0 to 319, y",
+        ),
+        (
+            &["explain", "whitted", "-1", "0"],
+            "error: invalid value '-1' for '<X>': ",
+        ),
+        (
+            &["gallery", "-o", "x", "whitted", "scenes/whitted.toml"],
+            "error: scenes/whitted.toml: the name `whitted.png` is already taken\n  help: ",
+        ),
+        (
+            &["gallery", "-o", "bad.toml/x", "whitted"],
+            "error: bad.toml/x: cannot be created: ",
+        ),
+        (
+            &["animate", "whitted", "-o", "x.mp4"],
+            "error: x.mp4: unknown animation format\n  help: write FILE.gif, FILE.apng, or DIR/",
+        ),
+        (
+            &["animate", "whitted", "-o", "no/x.gif"],
+            "error: no/x.gif: cannot be written: ",
+        ),
+        (
+            &["animate", "whitted", "-o", "x.gif", "--fps", "0"],
+            "error: invalid value '0' for '--fps <N>': 0 is not in 1..=100\n",
+        ),
+        (
+            &["animate", "bad.scene", "-o", "x.gif"],
+            "error: bad.scene: a compiled scene has no animation\n  help: ",
+        ),
+        (
+            &["animate", "whitted", "-o", "x.gif", "--frames", "20000"],
+            "error: the animation would have 20000 frames; the limit is 10000\n  help: ",
+        ),
+        (&["rendr"], "error: unrecognized subcommand 'rendr'\n"),
+    ];
+    for (args, expected) in cases {
+        let message = here.error(args)?;
+        assert!(message.starts_with(expected), "{args:?}: {message}");
+    }
+    Ok(())
+}
+
+#[cfg(not(feature = "window"))]
+#[test]
+fn view_needs_the_feature_window() -> Outcome {
+    let here = Directory::new("view")?;
+    // Without CARGO, the program cannot start a build with the feature.
+    let output = here.command(&["view"]).env_remove("CARGO").output()?;
+    assert_eq!(output.status.code(), Some(2));
+    let message = String::from_utf8(output.stderr)?;
+    assert!(
+        message.contains("libsdl2-dev") && message.contains("--features window"),
+        "{message}"
+    );
+    Ok(())
+}
