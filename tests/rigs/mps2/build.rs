@@ -1,4 +1,4 @@
-//! Tells the boards apart by the target: only the an505 has a core of ARMv8-M.
+//! Sets `cfg(an505)` for Armv8-M targets: the mps2-an505 is the only such board here.
 
 use std::env;
 
