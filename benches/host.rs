@@ -96,8 +96,8 @@ fn to_rgb565(color: whitted_oracle::Color<f32>) -> Rgb565 {
 
 /// Returns the time of the second tracer divided by the time of the first.
 ///
-/// The result is the median of frame pairs. The tracers alternate, so that other load on
-/// the machine slows both.
+/// The ratio is the median over pairs of frames. The tracers draw in turn, so that other
+/// load on the machine slows both.
 fn ratio(first: &mut impl FnMut(), second: &mut impl FnMut()) -> f64 {
     let mut ratios: Vec<f64> = (0..ROUNDS)
         .map(|_| {

@@ -25,8 +25,8 @@ impl Bytes<'_> {
 
     /// Returns a number from `min` to `max`.
     ///
-    /// Half of the choices are an end of the range or its neighbor. The others have a
-    /// random magnitude or are uniform.
+    /// Half of the returned numbers are an end of the range or its neighbor. The others
+    /// have a random magnitude or are uniformly distributed.
     pub(crate) fn number(&mut self, min: Real, max: Real) -> Real {
         let (low, high) = (min.to_bits(), max.to_bits());
         let bits = match self.choice(8) {

@@ -136,7 +136,8 @@ impl<'a> SceneGenerator<'a> {
             _ => Color::gray(Real::ZERO),
         };
         let [ka, kd, ks, kr, kt] = [0; 5].map(|_| coefficient());
-        // The library ignores these parameters if the color is black: any value is valid.
+        // The library ignores shininess and index of refraction if their coefficient is
+        // black, so any value is valid then.
         let mut parameter = |color, [min, max]: [Real; 2]| match color == Color::gray(Real::ZERO) {
             true => bytes.number(Real::MIN, Real::MAX),
             false => bytes.number(min, max),

@@ -26,7 +26,8 @@ impl Observer for RayCounter {
 
 /// Draws a small picture pixel by pixel and line by line.
 ///
-/// Checks the number of rays, and that both ways give the same colors.
+/// Checks the number of rays per pixel, and that drawing by pixel and drawing by line give
+/// equal colors.
 pub(crate) fn draw(scene: &PreparedScene<'_>) -> Vec<Color<Radiance>> {
     let lights = scene.counts().lights;
     let mut renderer = Renderer::with_observer(scene, SIZE, RayCounter::default());
@@ -48,8 +49,7 @@ pub(crate) fn draw(scene: &PreparedScene<'_>) -> Vec<Color<Radiance>> {
     picture
 }
 
-/// Draws a prepared scene and its compiled form, and checks that both give the same
-/// pixels.
+/// Draws a prepared scene and its compiled form, and checks that both have equal pixels.
 pub(crate) fn draw_as_compiled(scene: &PreparedScene<'_>) {
     let mut bytes = vec![0; scene.encoded_len()];
     assert_eq!(scene.encode(&mut bytes), Some(bytes.len()));

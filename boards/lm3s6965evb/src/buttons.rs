@@ -16,7 +16,8 @@ pub(crate) enum Button {
 /// Driver of the arrow buttons and the select button.
 ///
 /// The GPIO ports latch a press, so no press is lost while a line is traced. The port
-/// interrupts wake the core from sleep. Interrupts are masked, so no handler runs.
+/// interrupts wake the core from sleep. Interrupts are disabled globally, so no interrupt
+/// handler runs.
 pub(crate) struct Buttons {
     arrows: Inputs,
     select: Inputs,

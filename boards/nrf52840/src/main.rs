@@ -80,13 +80,14 @@ async fn draw_lines(
     mut display: Display<'_>,
     watchdog: &mut WatchdogHandle,
 ) {
-    // Selects the whole display as window and starts a pixel transfer. The lines then
-    // bypass the blocking driver.
+    // Selects the whole display as window and starts a pixel transfer. All lines are then
+    // sent without the blocking driver.
     let window = display.set_pixels(0, 0, WIDTH - 1, HEIGHT - 1, core::iter::empty());
     if window.is_err() {
         defmt::panic!("display error");
     }
-    // The pins keep their levels until they are dropped at the end of the function.
+    // Bindings keep the reset and D/C pins alive, so the pins hold their levels until the
+    // end of the function.
     let (interface, _, _reset) = display.release();
     let (mut device, _data_or_command) = interface.release();
 

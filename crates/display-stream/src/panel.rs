@@ -15,8 +15,8 @@ pub struct Panel {
     pub glass: Rectangle,
     /// MADCTL value that matches the construction and mounting of the panel.
     ///
-    /// With this value, lines run from left to right and from top to bottom, and red
-    /// and blue are not swapped.
+    /// If the driver sets this MADCTL value, lines run from left to right and from top
+    /// to bottom, and red and blue are not swapped.
     pub madctl: u8,
     /// True if the panel needs INVON to show colors as they are sent.
     pub is_inverted: bool,

@@ -233,7 +233,7 @@ fn reports_invalid_streams() {
     let (last, memory) = (Point::new(3, 3), Size::new(4, 3));
     assert_eq!(error, StreamError::OutsideOfMemory { last, memory });
 
-    // The last column fits the memory in portrait format, but not with swapped axes.
+    // Column 3 is inside a memory of 4x3 pixels, but outside with swapped axes.
     let landscape = [command(0x36, &[0x20]), pixels(0x2C, &[1])].concat();
     let (last, memory) = (Point::new(3, 2), Size::new(3, 4));
     assert_eq!(

@@ -40,7 +40,7 @@ use plain as words;
 
 /// True if a full product is a function call (Armv6-M).
 ///
-/// A caller may then save time with a cheap test that makes the product unnecessary.
+/// On Armv6-M, a comparison that avoids an unneeded product can be cheaper than the product.
 pub const IS_CALL: bool = cfg!(armv6m);
 
 /// Returns the full product `a * b` of two signed integers.

@@ -70,7 +70,8 @@ fn detects_every_flipped_bit_and_receives_the_next_frame() {
 
 #[test]
 fn detects_truncated_frames_and_receives_the_next_frame() {
-    // The loop stops before the final zero: the first zero of the next frame replaces it.
+    // A frame without its final zero is not truncated: the first zero of the next frame
+    // ends it.
     let scene = random_scene(&mut Rng::with_seed(3), 40);
     let whole = encode_frame(&scene);
     for length in 0..whole.len() - 1 {

@@ -1,4 +1,5 @@
-//! Sets `cfg(an505)` for Armv8-M targets: the mps2-an505 is the only such board here.
+//! Sets `cfg(an505)` for Armv8-M targets: the mps2-an505 is the only supported
+//! Armv8-M board.
 
 use std::env;
 

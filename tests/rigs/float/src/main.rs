@@ -1,7 +1,7 @@
 //! Draws a scene with the reference tracer of the tests in `f32`.
 //!
-//! `cargo xtask bench` compares its instruction count with the fixed-point renderer in
-//! the `headless` rig, for the same scene, size, core and display. The reference tracer
+//! `cargo xtask bench` compares the instruction count of this rig with the fixed-point
+//! renderer in the `headless` rig, for equal scenes, sizes, cores and displays. The reference tracer
 //! has no tables, no culling and no special cases. Floating-point operations and square
 //! roots run in hardware on the M4F, M7 and M33, and in the compiler's routines on the
 //! other cores. No operation is in double precision.

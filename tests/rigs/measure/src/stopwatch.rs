@@ -5,8 +5,8 @@ const MASK: u32 = 0x00FF_FFFF;
 
 /// Counts instructions with SysTick, under QEMU with `-icount shift=0`.
 ///
-/// With this option each instruction takes one nanosecond of virtual time, so the count is
-/// the same in every run. On a real chip the stopwatch measures nanoseconds.
+/// With `-icount shift=0`, each instruction takes one nanosecond of virtual time, so the
+/// count is equal in every run. On a real chip the stopwatch measures nanoseconds.
 pub struct Stopwatch {
     /// Owned, so that no other code can reconfigure the timer.
     _systick: SYST,

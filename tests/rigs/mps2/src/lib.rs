@@ -1,7 +1,7 @@
 //! Board support for QEMU's mps2 machines.
 //!
 //! The machines are mps2-an385 (Cortex-M3; also runs code for the M0), mps2-an386 (M4F),
-//! mps2-an500 (M7) and mps2-an505 (M33). They have no display here: firmware reads its
+//! mps2-an500 (M7) and mps2-an505 (M33). They have no display. Firmware reads its
 //! job from the semihosting command line, for example `320x240 target/scene.bin`, and
 //! prints its result by semihosting.
 

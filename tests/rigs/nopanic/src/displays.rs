@@ -101,7 +101,7 @@ where
 
 /// Calls functions whose code hardly depends on the color type, in one color type.
 ///
-/// All color types together would exceed the flash of the machine.
+/// Calling these functions in all color types would exceed the flash of the machine.
 fn draw_rgb565(scene: &PreparedScene<'_>) {
     let mut display = UnknownDisplay::<Rgb565>(None);
     draw_in_steps(&mut Renderer::new(scene, size()), &mut display);

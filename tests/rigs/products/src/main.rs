@@ -56,7 +56,7 @@ fn edge_values() -> impl Iterator<Item = u32> {
 /// Checks all operations for one pair.
 fn check_pair(a: u32, b: u32) -> Result<(), (u32, u32)> {
     let (i, j) = (a as i32, b as i32);
-    // `black_box` keeps the compiler from evaluating the expected products.
+    // `black_box` keeps the compiler from evaluating the expected products early.
     let (p, q) = (black_box(i64::from(i)), black_box(u64::from(a)));
     let c = a >> 11;
     let d = black_box(u64::from(c));
