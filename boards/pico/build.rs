@@ -1,7 +1,7 @@
 //! Compiles the scenes for the flash.
 //!
 //! The environment variable `SCENE` selects scene files, relative to the project root and
-//! separated as in `PATH`. The default is the list below.
+//! separated as in `PATH`. The default scenes are listed below.
 
 fn main() -> Result<(), String> {
     println!("cargo::rerun-if-changed=memory.x");

@@ -16,7 +16,7 @@ use rp2040_hal::{Clock, Sio, Spi, Timer, Watchdog, pac};
 
 use crate::buttons::{Button, Buttons};
 use crate::pins::{self, LcdClock, LcdData, LcdSpi, Pins};
-use crate::scenes::Scenes;
+use crate::scenes::Buffer;
 use crate::usb::{self, SceneReceiver};
 
 /// Second-stage bootloader, which maps the flash of the Pico into memory.
@@ -43,20 +43,21 @@ pub(crate) type Display = mipidsi::Display<Interface, ST7789, Output>;
 pub(crate) enum Event {
     /// A button was pressed.
     Press(Button),
-    /// A scene arrived over USB; the value is its index.
-    Received(usize),
+    /// A valid scene arrived over USB.
+    Received,
 }
 
 /// Peripherals of the board that the firmware uses.
 pub(crate) struct Board {
     pub(crate) display: Display,
-    pub(crate) scenes: &'static mut Scenes,
     /// Resets the board if it is not fed for two seconds.
     watchdog: Watchdog,
     /// On while a picture is drawn.
     pub(crate) led: Output,
     buttons: Buttons<Input>,
     timer: Timer,
+    /// Validates a received scene while another scene is drawn.
+    validation_buffer: &'static mut Buffer,
 }
 
 impl Board {
@@ -66,8 +67,8 @@ impl Board {
     /// Panics if the crystal or the display configuration is invalid.
     pub(crate) fn new(
         line: &'static mut LineBuffer,
-        scenes: &'static mut Scenes,
         receiver: &'static mut SceneReceiver,
+        validation_buffer: &'static mut Buffer,
     ) -> Self {
         let mut pac = pac::Peripherals::take().expect("the board is initialized once");
         let mut watchdog = Watchdog::new(pac.WATCHDOG);
@@ -122,7 +123,6 @@ impl Board {
 
         Self {
             display,
-            scenes,
             watchdog,
             led: pins.led.into_push_pull_output().into_dyn_pin(),
             buttons: Buttons::new([
@@ -136,14 +136,21 @@ impl Board {
                 (Button::Next, pins.next.into_pull_up_input().into_dyn_pin()),
             ]),
             timer,
+            validation_buffer,
         }
     }
 
     /// Returns the user input since the last call. Feeds the watchdog.
+    ///
+    /// After [`Event::Received`], the caller must store the scene with
+    /// [`Scenes::store_received`](crate::scenes::Scenes::store_received).
     pub(crate) fn poll(&mut self) -> Option<Event> {
         self.watchdog.feed();
-        let received = || self.scenes.receive().map(Event::Received);
-        self.buttons.poll().map(Event::Press).or_else(received)
+        if let Some(button) = self.buttons.poll() {
+            return Some(Event::Press(button));
+        }
+        let is_received = usb::receive(|scene| self.validation_buffer.decode(scene).map(drop));
+        is_received.then_some(Event::Received)
     }
 
     /// Waits for user input.

@@ -32,25 +32,27 @@ const ORBIT_STEP: Real = Real::lit("15");
 
 #[entry]
 fn main() -> ! {
-    // The last scene that arrived over USB.
+    // The scenes in flash, and the last scene that arrived over USB.
     static mut SCENES: Scenes = Scenes::new();
     // The scene that is being received.
     static mut RECEIVER: SceneReceiver = SceneReceiver::new();
     // The scene that is drawn.
     static mut BUFFER: Buffer = Buffer::new();
+    // Memory to validate a received scene.
+    static mut VALIDATION_BUFFER: Buffer = Buffer::new();
     static mut LINE: LineBuffer = [0; size_of::<LineBuffer>()];
 
-    let mut board = Board::new(LINE, SCENES, RECEIVER);
+    let mut board = Board::new(LINE, RECEIVER, VALIDATION_BUFFER);
     let mut index = 0;
     loop {
-        let count = board.scenes.count();
+        let count = SCENES.count();
         defmt::info!("scene {=usize} of {=usize}", index + 1, count);
-        let event = match BUFFER.decode(board.scenes.get(index)) {
+        let event = match BUFFER.decode(SCENES.get(index)) {
             Ok(mut scene) => show_scene(&mut scene, &mut board),
             Err(error) => show_error(error, &mut board),
         };
         index = match event {
-            Event::Received(index) => index,
+            Event::Received => SCENES.store_received(),
             Event::Press(_) => (index + 1) % count,
         };
     }
@@ -65,7 +67,7 @@ fn show_scene(scene: &mut PreparedScene<'_>, board: &mut Board) -> Event {
             Event::Press(Button::Right) => (ORBIT_STEP, Real::ZERO),
             Event::Press(Button::Up) => (Real::ZERO, ORBIT_STEP),
             Event::Press(Button::Down) => (Real::ZERO, -ORBIT_STEP),
-            Event::Press(Button::Next) | Event::Received(_) => return event,
+            Event::Press(Button::Next) | Event::Received => return event,
         };
         if let Err(error) = scene.set_camera(&scene.camera().orbited(yaw, pitch)) {
             defmt::warn!("the camera cannot move there: {}", Display2Format(&error));
@@ -97,7 +99,7 @@ fn show_error(error: DecodeError, board: &mut Board) -> Event {
     let Ok(()) = board.led.set_low();
     loop {
         let event = board.wait();
-        if matches!(event, Event::Press(Button::Next) | Event::Received(_)) {
+        if matches!(event, Event::Press(Button::Next) | Event::Received) {
             return event;
         }
     }

@@ -1,7 +1,6 @@
 //! Scenes in flash, compiled by the build script, and one scene received over USB.
 
 use heapless::Vec;
-use whitted::DecodeError;
 use whitted::scene::SceneCounts;
 
 use crate::usb;
@@ -21,8 +20,6 @@ pub(crate) type Buffer = whitted::scene_buffer!(CAPACITY);
 /// List of the scenes in flash, followed by the last scene received over USB.
 pub(crate) struct Scenes {
     received: Vec<u8, { usb::CAPACITY }>,
-    /// Validates a received scene while another scene is drawn.
-    validation_buffer: Buffer,
 }
 
 impl Scenes {
@@ -30,7 +27,6 @@ impl Scenes {
     pub(crate) const fn new() -> Self {
         Self {
             received: Vec::new(),
-            validation_buffer: Buffer::new(),
         }
     }
 
@@ -44,17 +40,15 @@ impl Scenes {
         SCENES.len() + usize::from(!self.received.is_empty())
     }
 
-    /// Stores a scene that arrived over USB and returns its index.
+    /// Stores the scene in the USB receiver and returns its index.
     ///
-    /// Returns `None` if no scene arrived. An invalid scene is rejected and the previous
-    /// scene is kept.
-    pub(crate) fn receive(&mut self) -> Option<usize> {
-        let is_received = usb::receive(|scene| {
-            self.validation_buffer.decode(scene)?;
+    /// The scene replaces the previous received scene, so no prepared scene may borrow it.
+    pub(crate) fn store_received(&mut self) -> usize {
+        usb::take(|scene| {
             self.received.clear();
-            let result = self.received.extend_from_slice(scene);
-            result.map_err(|_| DecodeError::Length)
+            // The capacity equals that of the receiver, so the scene always fits.
+            _ = self.received.extend_from_slice(scene);
         });
-        is_received.then_some(SCENES.len())
+        SCENES.len()
     }
 }

@@ -77,11 +77,22 @@ fn USBCTRL_IRQ() {
     with_link(Link::poll);
 }
 
-/// Processes a received scene and sends the answer to the host.
+/// Validates a received scene with the closure `check` and sends the answer to the host.
 ///
-/// `check` validates and stores the scene. Returns true if a scene arrived and is valid.
+/// Returns true if a scene arrived and is valid. The receiver then keeps the scene until
+/// [`take`] is called.
 pub(crate) fn receive(check: impl FnOnce(&[u8]) -> Result<(), DecodeError>) -> bool {
     with_link(|link| link.process(check)).unwrap_or(false)
+}
+
+/// Passes the received scene to the closure `store` and removes it from the receiver.
+pub(crate) fn take(store: impl FnOnce(&[u8])) {
+    with_link(|link| {
+        if let Some(message) = link.receiver.message() {
+            store(message.scene);
+        }
+        link.receiver.forget();
+    });
 }
 
 /// Runs a function on the connection with interrupts disabled.
@@ -120,7 +131,9 @@ impl Link {
             return false;
         };
         let checked = check(scene);
-        self.receiver.forget();
+        if checked.is_err() {
+            self.receiver.forget();
+        }
         self.answer(match checked {
             Ok(()) => Answer::Shown { ticket },
             Err(why) => Answer::Refused { ticket, why },
