@@ -1,8 +1,8 @@
-//! `cargo bench`: the library next to the tests' plain tracer in `f32`, the same
-//! that `tests/rigs/float` counts, on the machine that this runs on.
+//! `cargo bench`: compares the library with the `f32` reference tracer on the host.
 //!
-//! Both draw the same frames of `Rgb565` line by line, on one thread, from
-//! scenes that are ready to be traced. No test depends on a time.
+//! The `float` rig uses the same reference tracer. Both tracers draw the same RGB565
+//! frames line by line, on one thread, from prepared scenes. No test depends on the
+//! measured times.
 
 use std::error::Error;
 use std::hint::black_box;
@@ -15,15 +15,15 @@ use embedded_graphics::prelude::*;
 use whitted::Renderer;
 use whitted_sim::scene_file;
 
-/// Scenes, and the sizes that they are drawn at: the flake's is small, as it
-/// takes floats a second else.
+/// Scenes and frame sizes. The sphereflake is small: at 320x240 the `f32` tracer needs
+/// about a second per frame.
 const FRAMES: [(&str, Size); 3] = [
     ("whitted", Size::new(320, 240)),
     ("four_spheres", Size::new(320, 240)),
     ("sphereflake", Size::new(80, 60)),
 ];
 
-/// Frames of each tracer that the ratio is told from.
+/// Number of frames per tracer for the speed ratio.
 const ROUNDS: usize = 31;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -43,7 +43,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let mut float = float(scene.scene(), size);
 
         let mut group = criterion.benchmark_group(format!("{name} {}x{}", size.width, size.height));
-        // Frames take milliseconds: each sample the same few.
+        // Frames take milliseconds, so all samples have the same number of iterations.
         group.sampling_mode(SamplingMode::Flat);
         group.bench_function("fixed point", |bencher| bencher.iter(&mut fixed));
         group.bench_function("f32", |bencher| bencher.iter(&mut float));
@@ -52,12 +52,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     criterion.final_summary();
     for (name, ratio) in ratios {
-        println!("{name} is {ratio:.2} times as fast as f32 on this host");
+        println!("{name}: fixed point is {ratio:.2} times as fast as f32 on this host");
     }
     Ok(())
 }
 
-/// Draws a frame by the library.
+/// Returns a function that draws a frame with the library.
 fn fixed(mut renderer: Renderer<'_>) -> impl FnMut() {
     let Size { width, height } = renderer.size();
     let mut line = vec![Rgb565::BLACK; width as usize];
@@ -69,7 +69,7 @@ fn fixed(mut renderer: Renderer<'_>) -> impl FnMut() {
     }
 }
 
-/// Draws a frame by the plain tracer.
+/// Returns a function that draws a frame with the reference tracer.
 fn float(scene: whitted_oracle::Scene<'_, f32>, size: Size) -> impl FnMut() {
     let Size { width, height } = size;
     let view = scene.camera.view(width, height);
@@ -77,15 +77,15 @@ fn float(scene: whitted_oracle::Scene<'_, f32>, size: Size) -> impl FnMut() {
     move || {
         for y in 0..height {
             for (x, pixel) in (0..).zip(&mut line) {
-                *pixel = shown(scene.pixel(&view, x, y));
+                *pixel = to_rgb565(scene.pixel(&view, x, y));
             }
             black_box(&mut line);
         }
     }
 }
 
-/// Clipped, then rounded to the nearest level.
-fn shown(color: whitted_oracle::Color<f32>) -> Rgb565 {
+/// Clamps a color to 0..=1 and rounds it to the nearest RGB565 level.
+fn to_rgb565(color: whitted_oracle::Color<f32>) -> Rgb565 {
     let level = |value: f32, max: u8| ((value * f32::from(max) + 0.5) as u32).min(max.into()) as u8;
     Rgb565::new(
         level(color.x, Rgb565::MAX_R),
@@ -94,8 +94,10 @@ fn shown(color: whitted_oracle::Color<f32>) -> Rgb565 {
     )
 }
 
-/// How many times the second takes what the first does: the median of frames
-/// drawn in turn, so that whatever else the machine does slows both.
+/// Returns the time of the second tracer divided by the time of the first.
+///
+/// The ratio is the median over pairs of frames. The tracers draw in turn, so that other
+/// load on the machine slows both.
 fn ratio(first: &mut impl FnMut(), second: &mut impl FnMut()) -> f64 {
     let mut ratios: Vec<f64> = (0..ROUNDS)
         .map(|_| {
@@ -107,6 +109,7 @@ fn ratio(first: &mut impl FnMut(), second: &mut impl FnMut()) -> f64 {
     ratios[ROUNDS / 2]
 }
 
+/// Returns the time to draw one frame, in seconds.
 fn seconds(frame: &mut impl FnMut()) -> f64 {
     let start = Instant::now();
     frame();

@@ -1,4 +1,6 @@
-//! Compiles the scene that goes into flash: `SCENE`, relative to the root of the project.
+//! Compiles the scene for the flash.
+//!
+//! The environment variable `SCENE` selects a scene file, relative to the project root.
 
 fn main() -> Result<(), String> {
     whitted_sim::flash::scene("../..", "scenes/whitted.toml")

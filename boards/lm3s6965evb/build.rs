@@ -1,5 +1,7 @@
-//! Compiles the scenes that go into flash: those that `SCENE` names, relative to the
-//! root of the project, else those that the select button goes through.
+//! Compiles the scenes for the flash.
+//!
+//! The environment variable `SCENE` selects scene files, relative to the project root and
+//! separated as in `PATH`. The default scenes are listed below.
 
 fn main() -> Result<(), String> {
     println!("cargo::rerun-if-changed=../../memory.x");

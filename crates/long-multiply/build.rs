@@ -1,4 +1,4 @@
-//! Tells Armv6-M and its successors, which no stable `cfg` names.
+//! Sets `cfg(armv6m)` or `cfg(armv7m)` from the target name, as no stable `cfg` exists.
 
 use std::env;
 

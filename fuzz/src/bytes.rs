@@ -1,9 +1,10 @@
 use whitted::{Color, Real, Vec3};
 
-/// Values out of bytes; zeros when they are used up.
+/// Generates values from the bytes of a fuzz input. The bytes are followed by zeros.
 pub(crate) struct Bytes<'a>(pub(crate) &'a [u8]);
 
 impl Bytes<'_> {
+    /// Returns the next byte; 0 after the end of the input.
     pub(crate) fn byte(&mut self) -> u8 {
         let Some((first, rest)) = self.0.split_first() else {
             return 0;
@@ -12,25 +13,28 @@ impl Bytes<'_> {
         *first
     }
 
-    /// 0 to `count - 1`.
+    /// Returns a number from 0 to `count - 1`.
     pub(crate) fn choice(&mut self, count: u8) -> u8 {
         self.byte() % count
     }
 
+    /// Returns the next eight bytes as a big-endian number.
     fn word(&mut self) -> u64 {
         (0..8).fold(0, |word, _| word << 8 | u64::from(self.byte()))
     }
 
-    /// A number of a range: often one of its ends or right beside, else of any
-    /// magnitude.
-    pub(crate) fn number(&mut self, least: Real, most: Real) -> Real {
-        let (low, high) = (least.to_bits(), most.to_bits());
+    /// Returns a number from `min` to `max`.
+    ///
+    /// Half of the returned numbers are an end of the range or its neighbor. The others
+    /// have a random magnitude or are uniformly distributed.
+    pub(crate) fn number(&mut self, min: Real, max: Real) -> Real {
+        let (low, high) = (min.to_bits(), max.to_bits());
         let bits = match self.choice(8) {
             0 => low,
             1 => high,
             2 => low.saturating_add(1),
             3 => high.saturating_sub(1),
-            // As far from zero as there are bits left by the shift.
+            // The shift selects the magnitude.
             4 | 5 => {
                 let shift = self.byte() % 64;
                 self.word() as i64 >> shift
@@ -43,20 +47,22 @@ impl Bytes<'_> {
         Real::from_bits(bits.clamp(low, high))
     }
 
-    /// Like [`number`](Self::number), on either side of zero.
-    pub(crate) fn signed(&mut self, most: Real) -> Real {
-        self.number(-most, most)
+    /// Returns a number from `-max` to `max`, like [`number`](Self::number).
+    pub(crate) fn signed(&mut self, max: Real) -> Real {
+        self.number(-max, max)
     }
 
-    pub(crate) fn point(&mut self, reach: Real) -> Vec3<Real> {
-        Vec3::new(self.signed(reach), self.signed(reach), self.signed(reach))
+    /// Returns a point with coordinates from `-max` to `max`.
+    pub(crate) fn point(&mut self, max: Real) -> Vec3<Real> {
+        Vec3::new(self.signed(max), self.signed(max), self.signed(max))
     }
 
-    pub(crate) fn color(&mut self, most: Real) -> Color<Real> {
+    /// Returns a color with channels from 0 to `max`; every third color is gray.
+    pub(crate) fn color(&mut self, max: Real) -> Color<Real> {
         if self.choice(3) == 0 {
-            return Color::gray(self.number(Real::ZERO, most));
+            return Color::gray(self.number(Real::ZERO, max));
         }
-        let mut channel = || self.number(Real::ZERO, most);
+        let mut channel = || self.number(Real::ZERO, max);
         Color::new(channel(), channel(), channel())
     }
 }

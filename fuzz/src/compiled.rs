@@ -5,23 +5,26 @@ use super::picture::draw;
 
 type Buffer = SceneBuffer<16, 4, 16>;
 
-/// Any bytes are a scene that can be drawn, or an error; with a right checksum
-/// put behind them, too. Says whether either is a scene.
+/// Checks that any bytes decode to a scene that can be drawn, or to an error.
+///
+/// The input is decoded as is, and with a valid checksum appended. Returns true if one of
+/// the two is a scene.
 pub fn compiled(input: &[u8]) -> bool {
     let is_scene = decode(input);
-    let mut sealed = input.to_vec();
+    let mut with_checksum = input.to_vec();
     let mut crc = Crc32::new();
     crc.update(input);
-    sealed.extend(crc.finish().to_le_bytes());
-    decode(&sealed) | is_scene
+    with_checksum.extend(crc.finish().to_le_bytes());
+    decode(&with_checksum) | is_scene
 }
 
+/// Decodes and draws a scene. Returns true if the bytes are a scene.
 fn decode(bytes: &[u8]) -> bool {
     let mut buffer = Box::new(Buffer::new());
     match buffer.decode(bytes) {
         Ok(scene) => {
-            let mut again = vec![0; scene.encoded_len()];
-            assert_eq!(scene.encode(&mut again), Some(again.len()));
+            let mut encoded = vec![0; scene.encoded_len()];
+            assert_eq!(scene.encode(&mut encoded), Some(encoded.len()));
             _ = draw(&scene);
             true
         }

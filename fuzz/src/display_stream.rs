@@ -4,36 +4,37 @@ use embedded_graphics_core::primitives::Rectangle;
 
 use super::bytes::Bytes;
 
-/// So small that it is soon written to its last pixel, or beyond.
+/// Small panel, so that fuzz inputs reach its last pixel and write past it.
 const PANEL: Panel = Panel {
     memory: Size::new(6, 5),
     glass: Rectangle::new(Point::new(1, 2), Size::new(4, 3)),
-    upright: 0,
+    madctl: 0,
     is_inverted: false,
 };
 
-/// Any stream is shown or complained about, and what it complains about changes
-/// nothing that is seen. Says whether there is a picture in the end.
+/// Checks that any stream gives a picture or an error, and that a byte with an error does
+/// not change the picture. Returns true if the display shows a picture at the end.
 ///
-/// Of nine bytes the first tells, bit by bit, which of the others are data.
+/// The first byte of the input selects the panel. Groups of nine bytes follow: bit `i` of
+/// the first byte is the D/C level of the `i`-th of the eight others.
 pub fn display_stream(input: &[u8]) -> bool {
-    let (panel, stream) = input.split_at(input.len().min(1));
-    let panel = Bytes(panel).byte();
+    let (options, stream) = input.split_at(input.len().min(1));
+    let options = Bytes(options).byte();
     let mut controller = Controller::new(Panel {
-        upright: panel & 0xf8,
-        is_inverted: panel & 1 != 0,
+        madctl: options & 0xf8,
+        is_inverted: options & 1 != 0,
         ..PANEL
     });
-    for nine in stream.chunks(9) {
-        let (kinds, bytes) = nine.split_at(1);
-        let kinds = Bytes(kinds).byte();
+    for group in stream.chunks(9) {
+        let (levels, bytes) = group.split_at(1);
+        let levels = Bytes(levels).byte();
         for (bit, byte) in bytes.iter().enumerate() {
             let before = controller.clone();
-            if let Err(error) = controller.receive(Byte::new(kinds >> bit & 1 != 0, *byte)) {
+            if let Err(error) = controller.receive(Byte::new(levels >> bit & 1 != 0, *byte)) {
                 assert!(!error.to_string().is_empty());
                 assert!(
                     before.picture() == controller.picture(),
-                    "{error}, and yet it looks otherwise"
+                    "a byte with an error changed the picture: {error}"
                 );
             }
         }

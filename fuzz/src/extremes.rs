@@ -9,14 +9,17 @@ use super::picture::draw_as_compiled;
 
 type Buffer = SceneBuffer<6, 3, 3>;
 
-const BRIGHTEST: Real = Real::lit("256");
+/// Upper limit of light and background colors.
+const MAX_RADIANCE: Real = Real::lit("256");
 
-/// A scene whose numbers are often at the ends of their ranges is refused, or
-/// drawn; and then its compiled form is accepted, and drawn alike. Says which.
+/// Checks scenes whose numbers are often at the ends of their valid ranges.
+///
+/// The scene must be rejected, or give the same pixels before and after compilation.
+/// Returns true if the scene is valid.
 pub fn extremes(input: &[u8]) -> bool {
-    let mut world = World::new(Bytes(input));
-    let lists = world.lists();
-    let scene = world.scene(&lists.objects);
+    let mut generator = SceneGenerator::new(Bytes(input));
+    let lists = generator.lists();
+    let scene = generator.scene(&lists.objects);
     let scene = Scene {
         lights: &lists.lights,
         materials: &lists.materials,
@@ -32,12 +35,13 @@ pub fn extremes(input: &[u8]) -> bool {
     true
 }
 
-struct World<'a> {
+/// Generates scenes from fuzz input.
+struct SceneGenerator<'a> {
     bytes: Bytes<'a>,
-    /// How far coordinates go.
-    reach: Real,
-    /// The least size that is likely to be accepted.
-    smallest: Real,
+    /// Largest absolute coordinate.
+    max_coordinate: Real,
+    /// Smallest size of an object that is likely to be valid.
+    min_size: Real,
 }
 
 struct Lists {
@@ -46,32 +50,36 @@ struct Lists {
     objects: Vec<Object>,
 }
 
-impl<'a> World<'a> {
+impl<'a> SceneGenerator<'a> {
     fn new(mut bytes: Bytes<'a>) -> Self {
-        let least = Real::lit("0.000001");
-        let most = Real::lit("16777216");
-        let reach = match bytes.choice(4) {
-            0 => most,
-            1 => least * 64,
-            _ => bytes.number(least, most),
+        let min = Real::lit("0.000001");
+        let max = Real::lit("16777216");
+        let max_coordinate = match bytes.choice(4) {
+            0 => max,
+            1 => min * 64,
+            _ => bytes.number(min, max),
         };
-        let smallest = (reach >> 16_u32).max(least);
+        let min_size = (max_coordinate >> 16_u32).max(min);
         Self {
             bytes,
-            reach,
-            smallest,
+            max_coordinate,
+            min_size,
         }
     }
 
     fn camera(&mut self, objects: &[Object]) -> Camera {
-        let Self { bytes, reach, .. } = self;
-        // Mostly there is something to be seen.
+        let Self {
+            bytes,
+            max_coordinate,
+            ..
+        } = self;
+        // Three of four cameras look at the first object.
         let look_at = match objects {
-            [first, ..] if bytes.choice(4) != 0 => place(&first.shape),
-            _ => bytes.point(*reach),
+            [first, ..] if bytes.choice(4) != 0 => position(&first.shape),
+            _ => bytes.point(*max_coordinate),
         };
         Camera {
-            eye: bytes.point(*reach),
+            eye: bytes.point(*max_coordinate),
             look_at,
             up: bytes.point(Real::lit("16777216")),
             fovy_deg: bytes.number(Real::lit("1"), Real::lit("170")),
@@ -82,14 +90,14 @@ impl<'a> World<'a> {
         let camera = self.camera(objects);
         let bytes = &mut self.bytes;
         let background = match bytes.choice(2) {
-            0 => Background::Solid(bytes.color(BRIGHTEST)),
+            0 => Background::Solid(bytes.color(MAX_RADIANCE)),
             _ => Background::Gradient {
-                horizon: bytes.color(BRIGHTEST),
-                zenith: bytes.color(BRIGHTEST),
+                horizon: bytes.color(MAX_RADIANCE),
+                zenith: bytes.color(MAX_RADIANCE),
             },
         };
         Scene {
-            ambient: bytes.color(BRIGHTEST),
+            ambient: bytes.color(MAX_RADIANCE),
             background,
             shading: [SpecularModel::Phong, SpecularModel::BlinnPhong]
                 [usize::from(bytes.choice(2))],
@@ -115,9 +123,9 @@ impl<'a> World<'a> {
 
     fn light(&mut self) -> Light {
         Light {
-            position: self.bytes.point(self.reach),
-            diffuse: self.bytes.color(BRIGHTEST),
-            specular: self.bytes.color(BRIGHTEST),
+            position: self.bytes.point(self.max_coordinate),
+            diffuse: self.bytes.color(MAX_RADIANCE),
+            specular: self.bytes.color(MAX_RADIANCE),
         }
     }
 
@@ -128,14 +136,14 @@ impl<'a> World<'a> {
             _ => Color::gray(Real::ZERO),
         };
         let [ka, kd, ks, kr, kt] = [0; 5].map(|_| coefficient());
-        // Read only where it counts, so it may be anything elsewhere.
-        let mut read_with = |color, [least, most]: [Real; 2]| match color == Color::gray(Real::ZERO)
-        {
+        // The library ignores shininess and index of refraction if their coefficient is
+        // black, so any value is valid then.
+        let mut parameter = |color, [min, max]: [Real; 2]| match color == Color::gray(Real::ZERO) {
             true => bytes.number(Real::MIN, Real::MAX),
-            false => bytes.number(least, most),
+            false => bytes.number(min, max),
         };
-        let shininess = read_with(ks, [Real::ONE, Real::lit("4096")]);
-        let ior = read_with(kt, [Real::ONE, Real::lit("4")]);
+        let shininess = parameter(ks, [Real::ONE, Real::lit("4096")]);
+        let ior = parameter(kt, [Real::ONE, Real::lit("4")]);
         Material {
             ka,
             kd,
@@ -144,7 +152,7 @@ impl<'a> World<'a> {
             kr,
             kt,
             ior,
-            le: bytes.color(BRIGHTEST),
+            le: bytes.color(MAX_RADIANCE),
             shading: [
                 None,
                 Some(SpecularModel::Phong),
@@ -154,16 +162,17 @@ impl<'a> World<'a> {
     }
 
     fn size(&mut self) -> Real {
-        self.bytes.number(self.smallest, self.reach)
+        self.bytes.number(self.min_size, self.max_coordinate)
     }
 
-    /// Both ends of an extent.
+    /// Returns an interval of coordinates.
     fn interval(&mut self) -> [Real; 2] {
-        let [a, b] = [0; 2].map(|_| self.bytes.signed(self.reach));
+        let [a, b] = [0; 2].map(|_| self.bytes.signed(self.max_coordinate));
         [a.min(b), a.max(b)]
     }
 
-    fn perhaps(&mut self) -> Option<[Real; 2]> {
+    /// Returns an interval or `None`, with equal probability.
+    fn optional_interval(&mut self) -> Option<[Real; 2]> {
         (self.bytes.choice(2) == 0).then(|| self.interval())
     }
 
@@ -188,12 +197,14 @@ impl<'a> World<'a> {
     }
 
     fn shape(&mut self) -> Shape {
-        let center = self.bytes.point(self.reach);
+        let center = self.bytes.point(self.max_coordinate);
         let (origin, radius) = (center, self.size());
         match self.bytes.choice(7) {
             0 => Shape::Sphere { center, radius },
             1 => {
-                let longest = radius.saturating_mul(Real::lit("256")).min(self.reach);
+                let longest = radius
+                    .saturating_mul(Real::lit("256"))
+                    .min(self.max_coordinate);
                 let mut radii = Vec3::new(radius, radius, radius);
                 radii.x = self.bytes.number(radius, longest);
                 radii.y = self.bytes.number(radius, longest);
@@ -202,17 +213,17 @@ impl<'a> World<'a> {
             2 => Shape::Cylinder {
                 origin,
                 radius,
-                y: self.perhaps(),
+                y: self.optional_interval(),
             },
             3 => {
-                let [least, most] = [radius >> 10_u32, radius.saturating_mul(Real::lit("1024"))];
-                let height = self.bytes.number(least, most);
+                let [min, max] = [radius >> 10_u32, radius.saturating_mul(Real::lit("1024"))];
+                let height = self.bytes.number(min, max);
                 let up = self.bytes.choice(2) == 0;
                 Shape::Cone {
                     origin,
                     radius,
                     height: if up { height } else { -height },
-                    y: self.perhaps(),
+                    y: self.optional_interval(),
                 }
             }
             4 => Shape::Paraboloid {
@@ -223,9 +234,9 @@ impl<'a> World<'a> {
                 normal: self.bytes.point(Real::lit("16777216")),
                 point: center,
                 bounds: ClipBox {
-                    x: self.perhaps(),
-                    y: self.perhaps(),
-                    z: self.perhaps(),
+                    x: self.optional_interval(),
+                    y: self.optional_interval(),
+                    z: self.optional_interval(),
                 },
             },
             _ => Shape::Sphereflake {
@@ -238,14 +249,15 @@ impl<'a> World<'a> {
         }
     }
 
-    /// Upright, or turned to another axis.
+    /// Returns the default frame of a sphereflake or a rotated one.
     fn frame(&mut self) -> [Vec3<Real>; 3] {
         let [u, v, w] = Shape::FLAKE_FRAME;
         [[u, v, w], [v, w, u], [w, u, v], [-u, -v, w]][usize::from(self.bytes.choice(4))]
     }
 }
 
-fn place(shape: &Shape) -> Vec3<Real> {
+/// Returns the reference point of a shape.
+fn position(shape: &Shape) -> Vec3<Real> {
     match *shape {
         Shape::Sphere { center, .. }
         | Shape::Ellipsoid { center, .. }

@@ -1,8 +1,9 @@
-//! What is fuzzed: functions of any bytes that must return.
+//! Fuzz targets: functions that must return without a panic for any input.
 //!
-//! `cargo xtask prove fuzz` runs them under libFuzzer, `tests/fuzz` on stable:
-//! on the inputs in `corpus` and on random ones. A target more is a function
-//! here, a file in `targets`, a `[[bin]]`, and a folder in `corpus`.
+//! `cargo xtask prove fuzz` runs the targets under libFuzzer. `tests/fuzz` runs them on
+//! stable Rust, with the inputs in `corpus` and random inputs. A new target needs a
+//! function here, a file in `targets`, a `[[bin]]` in `Cargo.toml`, and a folder in
+//! `corpus`.
 
 mod bytes;
 mod compiled;

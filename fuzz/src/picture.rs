@@ -2,21 +2,20 @@ use embedded_graphics_core::geometry::Size;
 use whitted::observer::{Observer, RayKind};
 use whitted::{Color, PreparedScene, Radiance, Renderer, SceneBuffer};
 
-/// So small that the worst of scenes is drawn soon.
+/// Small picture, so that the slowest scene is drawn quickly.
 const SIZE: Size = Size::new(4, 3);
 
-/// What docs/trust.md says that a pixel takes at most: rays, and shadow rays of
-/// each light.
-const RAYS: usize = 4096;
+/// Upper limit of rays per pixel, and of shadow rays per pixel and light (docs/trust.md).
+const MAX_RAYS: usize = 4096;
 
 /// Counts the rays of a picture.
 #[derive(Default)]
-struct Rays {
+struct RayCounter {
     traced: usize,
     shadow: usize,
 }
 
-impl Observer for Rays {
+impl Observer for RayCounter {
     fn ray(&mut self, kind: RayKind) {
         match kind {
             RayKind::Shadow => self.shadow += 1,
@@ -25,31 +24,32 @@ impl Observer for Rays {
     }
 }
 
-/// A tiny picture, drawn with no more rays than a pixel may take.
+/// Draws a small picture pixel by pixel and line by line.
+///
+/// Checks the number of rays per pixel, and that drawing by pixel and drawing by line give
+/// equal colors.
 pub(crate) fn draw(scene: &PreparedScene<'_>) -> Vec<Color<Radiance>> {
     let lights = scene.counts().lights;
-    let mut renderer = Renderer::with_observer(scene, SIZE, Rays::default());
+    let mut renderer = Renderer::with_observer(scene, SIZE, RayCounter::default());
     let mut picture = Vec::new();
     for y in 0..SIZE.height {
         for x in 0..SIZE.width {
             picture.push(renderer.pixel(x, y));
-            let most = RAYS * picture.len();
-            let Rays { traced, shadow } = *renderer.observer();
+            let limit = MAX_RAYS * picture.len();
+            let RayCounter { traced, shadow } = *renderer.observer();
             assert!(
-                traced <= most && shadow <= most * lights,
-                "{traced} {shadow}"
+                traced <= limit && shadow <= limit * lights,
+                "{traced} rays and {shadow} shadow rays exceed the limit of {limit}"
             );
         }
     }
-    // Lines are drawn by another way, to the same colors.
     let lines = (0..SIZE.height).flat_map(|y| renderer.line(y).collect::<Vec<_>>());
     let lines: Vec<_> = lines.collect();
-    assert!(lines == picture, "lines and pixels differ");
+    assert!(lines == picture, "lines and pixels have different colors");
     picture
 }
 
-/// The same of a scene that was prepared; its compiled form is accepted and
-/// drawn alike.
+/// Draws a prepared scene and its compiled form, and checks that both have equal pixels.
 pub(crate) fn draw_as_compiled(scene: &PreparedScene<'_>) {
     let mut bytes = vec![0; scene.encoded_len()];
     assert_eq!(scene.encode(&mut bytes), Some(bytes.len()));
@@ -57,8 +57,8 @@ pub(crate) fn draw_as_compiled(scene: &PreparedScene<'_>) {
     match buffer.decode(&bytes) {
         Ok(decoded) => assert!(
             draw(&decoded) == draw(scene),
-            "compiled, it looks otherwise"
+            "the compiled scene has different pixels"
         ),
-        Err(error) => panic!("{error}, of a scene that was prepared"),
+        Err(error) => panic!("the compiled form of a valid scene is rejected: {error}"),
     }
 }

@@ -2,7 +2,9 @@ use whitted_sim::scene_file::{self, Buffer};
 
 use super::picture::draw_as_compiled;
 
-/// Any text is a scene that can be drawn and compiled, or an error that can be told. Says which.
+/// Checks that any text is a scene that can be drawn and compiled, or gives an error.
+///
+/// Returns true if the text is a valid scene.
 pub fn scene_text(input: &[u8]) -> bool {
     let Ok(text) = core::str::from_utf8(input) else {
         return false;

@@ -21,7 +21,7 @@ use emulator::{Button, Cost, Drawn, Event};
 
 /// The panel of the hat, which lies on its side.
 const PANEL: Panel = Panel {
-    upright: 0x60,
+    madctl: 0x60,
     ..Panel::ST7789_240X240
 };
 const SIZE: Size = Size::new(240, 240);

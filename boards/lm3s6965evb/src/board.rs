@@ -9,12 +9,13 @@ use crate::register::Registers;
 use crate::ssd0323::{Pixels, Ssd0323};
 use crate::uart::Uart;
 
-/// Of the system clock at reset, as QEMU has it. A chip starts from its
-/// internal oscillator, at 12 MHz ± 30 %.
+/// Period of the system clock after reset, in QEMU: 12.5 MHz.
+///
+/// The real chip starts from its internal oscillator, at 12 MHz ± 30 %.
 const NANOSECONDS_PER_CLOCK: u32 = 80;
 
-// SAFETY of these: the chip's data sheet has these peripherals at these
-// addresses, and each is named here only. `UART` is used for panics too.
+// SAFETY: these are the peripheral addresses of the data sheet. Each is used by one driver
+// only, except `UART_0`, which the panic handler also uses.
 const SYSTEM_CONTROL: Registers = unsafe { Registers::at(0x400F_E000) };
 const PORT_A: Port = Port::new(unsafe { Registers::at(0x4000_4000) });
 const PORT_C: Port = Port::new(unsafe { Registers::at(0x4000_6000) });
@@ -27,7 +28,7 @@ const UART_0: Registers = unsafe { Registers::at(0x4000_C000) };
 const CLOCK_GATES_1: usize = 0x104;
 const CLOCK_GATES_2: usize = 0x108;
 
-/// What the firmware uses of the board.
+/// Peripherals of the board that the firmware uses.
 pub(crate) struct Board {
     pub(crate) oled: Ssd0323<'static, Pl022, Output>,
     pub(crate) uart: Uart,
@@ -36,26 +37,26 @@ pub(crate) struct Board {
 }
 
 impl Board {
-    /// Sets the board up; to be called once.
+    /// Initializes the board. Must be called only once.
     pub(crate) fn new(pixels: &'static mut Pixels) -> Self {
-        // SSI 0 and UART 0; ports A and C to F.
+        // Enable the clocks of SSI 0, UART 0, and GPIO ports A and C to F.
         SYSTEM_CONTROL.set(CLOCK_GATES_1, 1 << 4 | 1);
         SYSTEM_CONTROL.set(CLOCK_GATES_2, 0b11_1101);
-        // The clocks take three cycles to arrive.
+        // A peripheral is accessible three cycles after its clock is enabled.
         cortex_m::asm::delay(8);
 
-        // UART 0 on PA0 and PA1; SSI 0's clock, select and output on PA2, 3, 5.
-        PORT_A.hand_over(0b10_1111);
-        let Ok(()) = PORT_C.output(6).set_high(); // the panel's 15 V
+        // UART 0 on PA0 and PA1; SSI 0 clock, select and output on PA2, PA3 and PA5.
+        PORT_A.set_alternate_function(0b10_1111);
+        let Ok(()) = PORT_C.output(6).set_high(); // 15 V supply of the panel
         let Ok(()) = PORT_D.output(0).set_high(); // deselects the SD card
-        // 12 MHz / 4; the controller takes up to 4 MHz.
+        // 12 MHz / 4 = 3 MHz; the controller allows up to 4 MHz.
         let spi = Pl022::new(SSI_0, 4);
         let Ok(oled) = Ssd0323::new(spi, PORT_C.output(7), pixels);
 
-        // Up, down, left, right; select.
-        let buttons = Buttons::new(PORT_E.buttons(0b1111), PORT_F.buttons(0b10));
+        // Up, down, left and right are PE0 to PE3; select is PF1.
+        let buttons = Buttons::new(PORT_E.button_inputs(0b1111), PORT_F.button_inputs(0b10));
 
-        // SAFETY: this is called once, and nothing else uses the core's peripherals.
+        // SAFETY: `new` is called once, and no other code uses the core peripherals.
         let core = unsafe { Peripherals::steal() };
         Self {
             oled,
@@ -66,7 +67,9 @@ impl Board {
     }
 }
 
-/// The UART for last words: whoever else had it never uses it again.
-pub(crate) fn last_words() -> Uart {
+/// Returns the UART for the panic handler.
+///
+/// The handler never returns, so no other code uses the UART afterwards.
+pub(crate) fn panic_uart() -> Uart {
     Uart::new(UART_0)
 }

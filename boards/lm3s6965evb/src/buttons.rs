@@ -3,7 +3,7 @@ use cortex_m::peripheral::NVIC;
 
 use crate::gpio::Inputs;
 
-/// A button of the board.
+/// Buttons of the board.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Button {
     Up,
@@ -13,44 +13,45 @@ pub(crate) enum Button {
     Select,
 }
 
-/// The arrow buttons and the select button.
+/// Driver of the arrow buttons and the select button.
 ///
-/// Ports remember a press until it is asked for, so none is missed while a line
-/// is traced; and their interrupts end the core's sleep, but are never taken.
+/// The GPIO ports latch a press, so no press is lost while a line is traced. The port
+/// interrupts wake the core from sleep. Interrupts are disabled globally, so no interrupt
+/// handler runs.
 pub(crate) struct Buttons {
     arrows: Inputs,
     select: Inputs,
 }
 
 impl Buttons {
-    /// At the pins 0 to 3, and 1.
+    /// Creates the driver: arrow buttons at pins 0 to 3, select button at pin 1.
     pub(crate) fn new(arrows: Inputs, select: Inputs) -> Self {
         cortex_m::interrupt::disable();
         for port in [Interrupt::PortE, Interrupt::PortF] {
-            // SAFETY: no interrupt is taken from here on, so none breaks a critical
-            // section.
+            // SAFETY: interrupts are disabled globally, so no handler runs and no critical
+            // section is broken.
             unsafe { NVIC::unmask(port) };
         }
         Self { arrows, select }
     }
 
-    /// A button that was pressed since it was last asked for.
-    pub(crate) fn pressed(&mut self) -> Option<Button> {
+    /// Returns a button that was pressed since the last call.
+    pub(crate) fn take_press(&mut self) -> Option<Button> {
         use Button::{Down, Left, Right, Select, Up};
-        let arrow = |(pin, button)| self.arrows.is_pressed(pin).then_some(button);
+        let arrow = |(pin, button)| self.arrows.take_press(pin).then_some(button);
         let arrows = [(0, Up), (1, Down), (2, Left), (3, Right)];
         let pressed = arrows.into_iter().find_map(arrow);
-        pressed.or_else(|| self.select.is_pressed(1).then_some(Select))
+        pressed.or_else(|| self.select.take_press(1).then_some(Select))
     }
 
     /// Sleeps until a button is pressed.
     pub(crate) fn wait(&mut self) -> Button {
         loop {
-            if let Some(button) = self.pressed() {
+            if let Some(button) = self.take_press() {
                 return button;
             }
-            // A port that has more to tell will not wake the core anew.
-            if self.arrows.are_quiet() && self.select.are_quiet() {
+            // A change that is already latched does not wake the core again.
+            if !self.arrows.has_changes() && !self.select.has_changes() {
                 cortex_m::asm::wfi();
                 NVIC::unpend(Interrupt::PortE);
                 NVIC::unpend(Interrupt::PortF);
@@ -59,14 +60,14 @@ impl Buttons {
     }
 }
 
-/// Of the ports that the buttons are on.
+/// Interrupts of the GPIO ports of the buttons.
 #[derive(Clone, Copy)]
 enum Interrupt {
     PortE = 4,
     PortF = 30,
 }
 
-// SAFETY: the chip's data sheet has these interrupts at these numbers.
+// SAFETY: these are the interrupt numbers of the data sheet.
 unsafe impl InterruptNumber for Interrupt {
     fn number(self) -> u16 {
         self as u16

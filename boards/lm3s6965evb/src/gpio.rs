@@ -13,26 +13,26 @@ const ALTERNATE_FUNCTION: usize = 0x420;
 const PULL_UP: usize = 0x510;
 const DIGITAL_ENABLE: usize = 0x51C;
 
-/// How long contacts bounce: 5 ms at 12 MHz.
-const BOUNCE_CLOCKS: u32 = 60_000;
+/// Debounce delay: 5 ms at 12 MHz.
+const DEBOUNCE_CLOCKS: u32 = 60_000;
 
-/// One of the chip's GPIO ports.
+/// GPIO port of the chip.
 #[derive(Clone, Copy)]
 pub(crate) struct Port(Registers);
 
 impl Port {
-    /// The port whose registers these are.
+    /// Creates a port from its registers.
     pub(crate) const fn new(registers: Registers) -> Self {
         Self(registers)
     }
 
-    /// Hands the pins of this mask to their peripherals.
-    pub(crate) fn hand_over(self, pins: u32) {
+    /// Connects the pins of a mask to their peripherals.
+    pub(crate) fn set_alternate_function(self, pins: u32) {
         self.0.set(ALTERNATE_FUNCTION, pins);
         self.0.set(DIGITAL_ENABLE, pins);
     }
 
-    /// Makes a pin an output.
+    /// Configures a pin as output.
     pub(crate) fn output(self, pin: u8) -> Output {
         let mask = 1 << pin;
         self.0.set(DIRECTION, mask);
@@ -40,8 +40,8 @@ impl Port {
         Output { port: self.0, mask }
     }
 
-    /// Makes the pins of this mask inputs for buttons, which pull them low.
-    pub(crate) fn buttons(self, pins: u32) -> Inputs {
+    /// Configures the pins of a mask as inputs with pull-ups, for buttons to ground.
+    pub(crate) fn button_inputs(self, pins: u32) -> Inputs {
         self.0.set(PULL_UP, pins);
         self.0.set(DIGITAL_ENABLE, pins);
         self.0.set(BOTH_EDGES, pins);
@@ -49,55 +49,59 @@ impl Port {
         self.0.set(INTERRUPT_MASK, pins);
         let mut inputs = Inputs {
             port: self.0,
-            early: 0,
+            low_at_start: 0,
         };
-        inputs.early = inputs.low(pins);
+        inputs.low_at_start = inputs.low_pins(pins);
         inputs
     }
 }
 
-/// Pins that buttons pull low. The port remembers that one has changed.
+/// Input pins of buttons to ground. The port latches changes of the pins.
 pub(crate) struct Inputs {
     port: Registers,
-    /// Pins that have been low since before anybody looked. In QEMU these are all.
-    early: u32,
+    /// Pins that were low at startup and have not changed since. In QEMU, all pins start low.
+    low_at_start: u32,
 }
 
 impl Inputs {
-    /// Those of the pins of a mask that are low.
-    fn low(&self, pins: u32) -> u32 {
+    /// Returns the pins of a mask that are low.
+    fn low_pins(&self, pins: u32) -> u32 {
         pins & !self.port.read((pins << 2) as usize)
     }
 
-    /// Whether no pin has changed that was not asked for since.
-    pub(crate) fn are_quiet(&self) -> bool {
-        self.port.read(MASKED_STATUS) == 0
+    /// Returns true if a latched change has not been read yet.
+    pub(crate) fn has_changes(&self) -> bool {
+        self.port.read(MASKED_STATUS) != 0
     }
 
-    /// Whether the button at a pin was pressed since this was last asked: it is
-    /// down now, or was from the start and is let go.
-    pub(crate) fn is_pressed(&mut self, pin: u8) -> bool {
+    /// Returns true if the button at a pin was pressed since the last call.
+    ///
+    /// A press is a change to low. For a pin that was low at startup, the first change
+    /// counts as a press.
+    pub(crate) fn take_press(&mut self, pin: u8) -> bool {
         let mask = 1 << pin;
         if self.port.read(MASKED_STATUS) & mask == 0 {
             return false;
         }
-        cortex_m::asm::delay(BOUNCE_CLOCKS);
+        cortex_m::asm::delay(DEBOUNCE_CLOCKS);
         self.port.write(INTERRUPT_CLEAR, mask);
-        let pressed = (self.low(mask) | self.early) & mask;
-        self.early &= !mask;
+        let pressed = (self.low_pins(mask) | self.low_at_start) & mask;
+        self.low_at_start &= !mask;
         pressed != 0
     }
 }
 
-/// A pin that drives its wire.
+/// Output pin.
 pub(crate) struct Output {
     port: Registers,
     mask: u32,
 }
 
 impl Output {
-    /// The data register's address carries the mask of the pins that a write
-    /// reaches, so pins of a port do not disturb each other.
+    /// Sets the pin level.
+    ///
+    /// Bits 2 to 9 of the data register address select the pins that a write changes, so
+    /// outputs of one port are independent.
     fn drive(&mut self, levels: u32) {
         self.port.write((self.mask << 2) as usize, levels);
     }

@@ -1,8 +1,7 @@
-//! Draws scenes on the OLED of the LM3S6965 evaluation board: the arrow buttons
-//! move the camera around what it looks at, the select button shows the next
-//! scene.
+//! Draws scenes on the OLED of the LM3S6965 evaluation board.
 //!
-//! The scenes are compiled on the host and lie in flash; see `build.rs`.
+//! The arrow buttons orbit the camera around its target. The select button shows the next
+//! scene. The build script compiles the scenes on the host into flash.
 
 #![no_std]
 #![no_main]
@@ -27,16 +26,16 @@ use whitted::{DecodeError, PreparedScene, Real, Renderer};
 use board::Board;
 use buttons::Button;
 
-// The compiled scenes: `static SCENES: [&[u8]; N]`; and `const COUNTS`, the room
-// that any of them takes.
+// Defines `static SCENES: [&[u8]; N]`, the compiled scenes, and `const COUNTS`, the buffer
+// capacity that fits each of them.
 include!(concat!(env!("OUT_DIR"), "/scenes.rs"));
 
-/// How far a press of an arrow button goes, in degrees.
-const TURN: Real = Real::lit("15");
+/// Orbit angle per button press, in degrees.
+const ORBIT_STEP: Real = Real::lit("15");
 
 #[entry]
 fn main() -> ! {
-    // Room for a scene, and the display driver's copy of its pixels.
+    // Memory for the prepared scene, and the framebuffer of the display driver.
     static mut BUFFER: whitted::scene_buffer!(COUNTS) = <whitted::scene_buffer!(COUNTS)>::new();
     static mut PIXELS: ssd0323::Pixels = ssd0323::BLACK;
 
@@ -45,52 +44,53 @@ fn main() -> ! {
         for scene in SCENES {
             match BUFFER.decode(scene) {
                 Ok(mut scene) => show(&mut scene, &mut board),
-                Err(error) => complain(error, &mut board),
+                Err(error) => show_error(error, &mut board),
             }
         }
     }
 }
 
-/// Shows a scene from wherever the arrow buttons lead, until the select button
-/// is pressed.
+/// Shows a scene and moves the camera, until the select button is pressed.
 fn show(scene: &mut PreparedScene<'_>, board: &mut Board) {
     loop {
         match draw(scene, board) {
-            Button::Up => orbit(scene, Real::ZERO, TURN),
-            Button::Down => orbit(scene, Real::ZERO, -TURN),
-            Button::Left => orbit(scene, -TURN, Real::ZERO),
-            Button::Right => orbit(scene, TURN, Real::ZERO),
+            Button::Up => orbit(scene, Real::ZERO, ORBIT_STEP),
+            Button::Down => orbit(scene, Real::ZERO, -ORBIT_STEP),
+            Button::Left => orbit(scene, -ORBIT_STEP, Real::ZERO),
+            Button::Right => orbit(scene, ORBIT_STEP, Real::ZERO),
             Button::Select => return,
         }
     }
 }
 
-/// Moves the camera around what it looks at.
-#[inline(never)] // else its variables would take stack while a picture is drawn
+/// Orbits the camera around its target by angles in degrees.
+#[inline(never)] // keeps its locals off the stack while a picture is drawn
 fn orbit(scene: &mut PreparedScene<'_>, yaw: Real, pitch: Real) {
     let camera = scene.camera().orbited(yaw, pitch);
-    // Where it cannot go, it stays.
+    // An invalid position is ignored: the camera stays where it is.
     _ = scene.set_camera(&camera);
 }
 
-/// Draws a picture, the whole of it at once, then in ever more detail, and tells
-/// about it on the UART; until a button is pressed.
+/// Draws a picture in progressive order until a button is pressed.
+///
+/// After the last pass, traces the picture again for its checksum and prints a report on
+/// the UART.
 fn draw(scene: &PreparedScene<'_>, board: &mut Board) -> Button {
     let mut renderer = Renderer::new(scene, board.oled.size());
-    let mut drawing = RenderProgress::progressive(board.oled.bounding_box());
+    let mut progress = RenderProgress::progressive(board.oled.bounding_box());
     let mut checksum = Checksum::default();
     board.stopwatch.restart();
     loop {
-        if let Some(button) = board.buttons.pressed() {
+        if let Some(button) = board.buttons.take_press() {
             return button;
         }
-        if !drawing.is_complete() {
-            let Ok(()) = renderer.step(&mut drawing, Step::Line, &mut board.oled);
+        if !progress.is_complete() {
+            let Ok(()) = renderer.step(&mut progress, Step::Line, &mut board.oled);
             board.stopwatch.lap();
         } else if let Some(checksum) = checksum.line(&mut renderer) {
             let report = Report::new(renderer.size(), &board.stopwatch).with_checksum(checksum);
             let framebuffer = size_of::<ssd0323::Pixels>();
-            // The UART cannot fail, so what `write!` returns says nothing.
+            // Writing to the UART never fails.
             _ = write!(
                 board.uart,
                 "{report}framebuffer: {framebuffer}\n{}\n",
@@ -101,9 +101,9 @@ fn draw(scene: &PreparedScene<'_>, board: &mut Board) -> Button {
     }
 }
 
-/// Tells why a scene cannot be drawn, until the select button is pressed.
-#[inline(never)] // as above
-fn complain(error: DecodeError, board: &mut Board) {
+/// Shows why a scene cannot be drawn, until the select button is pressed.
+#[inline(never)] // keeps its locals off the stack while a picture is drawn
+fn show_error(error: DecodeError, board: &mut Board) {
     let text = format_args!("The scene in flash cannot be drawn: {error}.");
     _ = message_page::write(&mut board.oled, &FONT_5X8, text);
     _ = write!(board.uart, "error: {error}\n{}\n", measure::END);

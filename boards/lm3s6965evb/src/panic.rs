@@ -1,18 +1,19 @@
-//! Where a panic ends: told on the UART, without the message, whose formatting
-//! would bring in more code than the ray tracer has.
+//! Panic handler: prints file and line on the UART.
+//!
+//! The message is omitted, because its formatting code would be larger than the ray tracer.
 
 use core::fmt::Write;
 use core::panic::PanicInfo;
 
 #[panic_handler]
 fn panic(info: &PanicInfo<'_>) -> ! {
-    let mut uart = crate::board::last_words();
-    if let Some(place) = info.location() {
+    let mut uart = crate::board::panic_uart();
+    if let Some(location) = info.location() {
         _ = writeln!(
             uart,
             "error: panic in {}, line {}",
-            place.file(),
-            place.line()
+            location.file(),
+            location.line()
         );
     }
     _ = writeln!(uart, "{}", measure::END);

@@ -14,14 +14,16 @@ const EIGHT_BITS: u32 = 7;
 const ENABLE: u32 = 1 << 1;
 const RECEIVED: u32 = 1 << 2;
 
-/// An Arm PL022 as SPI host, polled.
+/// Polling driver of the Arm PL022 as SPI controller.
 ///
-/// It drives its only chip select itself, so it is an [`SpiDevice`], not a bus.
+/// The PL022 drives its only chip select itself, so the driver implements [`SpiDevice`]
+/// instead of `SpiBus`.
 pub(crate) struct Pl022(Registers);
 
 impl Pl022 {
-    /// Mode 0 (the device samples at the rising edge), most significant bit
-    /// first, at the system clock divided by an even `divisor`.
+    /// Initializes the SPI in mode 0, most significant bit first.
+    ///
+    /// The SPI clock is the system clock divided by `divisor`, which must be even.
     pub(crate) fn new(registers: Registers, divisor: u8) -> Self {
         registers.write(CONTROL_1, 0);
         registers.write(CONTROL_0, EIGHT_BITS);
@@ -30,9 +32,10 @@ impl Pl022 {
         Self(registers)
     }
 
-    /// Sends a byte and returns the one that comes back for it. So nothing is
-    /// on its way when this returns, the receiving FIFO never fills up (full,
-    /// it would stop the sender), and the D/C line may change.
+    /// Sends a byte and returns the received byte.
+    ///
+    /// The transfer is complete when the function returns, so the D/C pin may change and
+    /// the receive FIFO never overflows.
     fn exchange(&mut self, byte: u8) -> u8 {
         self.0.write(DATA, u32::from(byte));
         while self.0.read(STATUS) & RECEIVED == 0 {}
@@ -71,7 +74,7 @@ impl SpiDevice for Pl022 {
                         *byte = self.exchange(*byte);
                     }
                 }
-                // The clock is 12 MHz; a microsecond too long does no harm.
+                // One cycle is 83 ns at 12 MHz. The delay may be longer than requested.
                 Operation::DelayNs(nanoseconds) => cortex_m::asm::delay(*nanoseconds / 83 + 1),
             }
         }

@@ -1,27 +1,27 @@
-/// A peripheral's 32-bit registers.
+/// The 32-bit registers of a peripheral.
 #[derive(Clone, Copy)]
 pub(crate) struct Registers(usize);
 
 impl Registers {
-    /// The registers from `base` on.
+    /// Creates a handle for the registers at `base`.
     ///
     /// # Safety
     ///
-    /// A peripheral must lie at `base`, and nothing else may use the registers
-    /// that are used through this value.
+    /// `base` must be the address of a peripheral, and no other code may use the registers
+    /// that are accessed through this handle.
     pub(crate) const unsafe fn at(base: usize) -> Self {
         Self(base)
     }
 
     /// Reads the register at `offset`.
     pub(crate) fn read(self, offset: usize) -> u32 {
-        // SAFETY: by the contract of `at` this is a register.
+        // SAFETY: the caller of `at` guarantees that the address is a register.
         unsafe { core::ptr::with_exposed_provenance::<u32>(self.0 + offset).read_volatile() }
     }
 
     /// Writes the register at `offset`.
     pub(crate) fn write(self, offset: usize, value: u32) {
-        // SAFETY: by the contract of `at` this is a register.
+        // SAFETY: the caller of `at` guarantees that the address is a register.
         unsafe {
             core::ptr::with_exposed_provenance_mut::<u32>(self.0 + offset).write_volatile(value)
         }

@@ -5,20 +5,20 @@ use embedded_hal::{digital::OutputPin, spi::SpiDevice};
 
 const WIDTH: usize = 128;
 const HEIGHT: usize = 64;
-/// Two pixels share a byte, the left one has the high nibble.
+/// Two pixels share a byte: the left pixel is in the high nibble.
 const ROW_BYTES: usize = WIDTH / 2;
 
-/// The pixels as the controller stores them, row by row.
+/// Framebuffer in the format of the controller, row by row.
 pub(crate) type Pixels = [u8; ROW_BYTES * HEIGHT];
 
-/// A black picture.
+/// Black framebuffer.
 pub(crate) const BLACK: Pixels = [0; ROW_BYTES * HEIGHT];
 
-/// Sets up a panel of 128x64 pixels, and leaves the display off.
-const SET_UP: &[u8] = &[
+/// Commands that initialize a 128x64 panel; the display stays off.
+const INIT: &[u8] = &[
     0xAE, // display off
-    0x81, 50,   // contrast, of 127
-    0x85, // half of the full current
+    0x81, 50,   // contrast: 50 of 127
+    0x85, // half current range
     0xA0, 0x52, // remap: COM split and reversed, nibbles swapped, rows first
     0xA1, 0, // start line
     0xA2, 0x4C, // display offset
@@ -30,22 +30,21 @@ const SET_UP: &[u8] = &[
     0xB8, 0x01, 0x11, 0x22, 0x32, 0x43, 0x54, 0x65, 0x76, // gray scale table
     0xBC, 0x10, // precharge voltage
     0xBE, 0x02, // VCOMH
-    0xBF, 0x0D, // low voltage of segments
+    0xBF, 0x0D, // segment low voltage
     0xAD, 0x03, // DC-DC converter on
 ];
 const DISPLAY_ON: u8 = 0xAF;
 const SET_COLUMNS: u8 = 0x15;
 const SET_ROWS: u8 = 0x75;
 
-/// A 128x64 OLED of 16 grays on a Solomon SSD0323 controller.
+/// Driver of a 128x64 OLED with 16 gray levels and a Solomon SSD0323 controller.
 ///
-/// Pixels go to the display at once, area by area: one window and one burst.
-/// The driver keeps a copy of them, as the controller cannot be read, and its
-/// bytes hold two pixels each.
+/// Each drawn area is sent immediately, as one window and one burst. A byte of the
+/// controller holds two pixels and cannot be read back, so the driver keeps a framebuffer.
 pub(crate) struct Ssd0323<'p, SPI, DC> {
     spi: SPI,
-    /// Low for commands, high for data.
-    data: DC,
+    /// D/C pin: low for commands, high for data.
+    data_or_command: DC,
     pixels: &'p mut Pixels,
 }
 
@@ -54,18 +53,26 @@ where
     SPI: SpiDevice,
     DC: OutputPin<Error = Infallible>,
 {
-    /// Sets the display up, shows `pixels` and turns it on.
-    pub(crate) fn new(spi: SPI, data: DC, pixels: &'p mut Pixels) -> Result<Self, SPI::Error> {
-        let mut display = Self { spi, data, pixels };
-        display.command(SET_UP)?;
+    /// Initializes the display, shows `pixels` and turns the display on.
+    pub(crate) fn new(
+        spi: SPI,
+        data_or_command: DC,
+        pixels: &'p mut Pixels,
+    ) -> Result<Self, SPI::Error> {
+        let mut display = Self {
+            spi,
+            data_or_command,
+            pixels,
+        };
+        display.command(INIT)?;
         display.send(&display.bounding_box())?;
         display.command(&[DISPLAY_ON])?;
         Ok(display)
     }
 
-    /// Changes a pixel of the copy, if there is one at this point.
+    /// Sets a pixel in the framebuffer. Points outside the display are ignored.
     fn set(&mut self, point: Point, color: Gray4) {
-        // Below 0 is far to the right as well.
+        // The cast makes negative coordinates large, so they fail the bounds check.
         let (x, y) = (point.x as u32 as usize, point.y as u32 as usize);
         if x < WIDTH && y < HEIGHT {
             let byte = &mut self.pixels[y * ROW_BYTES + x / 2];
@@ -76,7 +83,7 @@ where
         }
     }
 
-    /// Sends an area of the copy, which must not reach beyond the display.
+    /// Sends an area of the framebuffer. The area must be inside the display.
     fn send(&mut self, area: &Rectangle) -> Result<(), SPI::Error> {
         let Some(bottom_right) = area.bottom_right() else {
             return Ok(());
@@ -85,7 +92,7 @@ where
         let [top, bottom] = [area.top_left.y, bottom_right.y].map(|y| y as u8);
         self.command(&[SET_COLUMNS, left, right, SET_ROWS, top, bottom])?;
 
-        let Ok(()) = self.data.set_high();
+        let Ok(()) = self.data_or_command.set_high();
         for row in usize::from(top)..=usize::from(bottom) {
             let row = row * ROW_BYTES;
             self.spi
@@ -95,7 +102,7 @@ where
     }
 
     fn command(&mut self, bytes: &[u8]) -> Result<(), SPI::Error> {
-        let Ok(()) = self.data.set_low();
+        let Ok(()) = self.data_or_command.set_low();
         self.spi.write(bytes)
     }
 }
@@ -114,23 +121,24 @@ where
     type Color = Gray4;
     type Error = SPI::Error;
 
-    /// Sends the smallest area that holds all of the pixels.
+    /// Sends the bounding box of the pixels.
     fn draw_iter<I>(&mut self, pixels: I) -> Result<(), SPI::Error>
     where
         I: IntoIterator<Item = Pixel<Gray4>>,
     {
-        let (mut least, mut most) = (Point::new_equal(i32::MAX), Point::new_equal(i32::MIN));
-        let mut any = false;
+        let (mut top_left, mut bottom_right) =
+            (Point::new_equal(i32::MAX), Point::new_equal(i32::MIN));
+        let mut is_changed = false;
         for Pixel(point, color) in pixels {
             if self.bounding_box().contains(point) {
-                any = true;
+                is_changed = true;
                 self.set(point, color);
-                least = least.component_min(point);
-                most = most.component_max(point);
+                top_left = top_left.component_min(point);
+                bottom_right = bottom_right.component_max(point);
             }
         }
-        match any {
-            true => self.send(&Rectangle::with_corners(least, most)),
+        match is_changed {
+            true => self.send(&Rectangle::with_corners(top_left, bottom_right)),
             false => Ok(()),
         }
     }

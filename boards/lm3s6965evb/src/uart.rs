@@ -13,13 +13,13 @@ const TRANSMIT_FULL: u32 = 1 << 5;
 const EIGHT_BITS_WITH_FIFO: u32 = 0x70;
 const ENABLE_TRANSMIT: u32 = 1 << 8 | 1;
 
-/// An Arm PL011, as printer only: 115,200 baud, 8 bits, no parity, 1 stop bit.
+/// Transmit-only driver of the Arm PL011: 115,200 baud, 8 data bits, no parity, 1 stop bit.
 pub(crate) struct Uart(Registers);
 
 impl Uart {
-    /// Sets the speed up for a system clock of 12 MHz.
+    /// Initializes the UART for a system clock of 12 MHz.
     pub(crate) fn new(registers: Registers) -> Self {
-        // 12 MHz / (16 * 115,200) = 6 + 33 / 64
+        // Baud rate divisor: 12 MHz / (16 * 115,200) = 6 + 33/64.
         registers.write(DIVISOR, 6);
         registers.write(DIVISOR_FRACTION, 33);
         registers.write(LINE_CONTROL, EIGHT_BITS_WITH_FIFO);

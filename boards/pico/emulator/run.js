@@ -1,22 +1,21 @@
-// Runs firmware of the Raspberry Pi Pico in rp2040js, and writes down what it
-// sends to the display.
+// Runs firmware of the Raspberry Pi Pico in rp2040js and records its display traffic.
 //
 //   node run.js FIRMWARE.elf STREAM [EVENT...]
 //
-// The firmware draws a picture, and another after each event: `press:PIN` presses a
-// button once the picture is complete, `amid:PIN` while it is drawn; `usb` waits for what
-// comes over USB, whose host sits at standard input, a terminal in raw mode.
+// The firmware draws a picture, and another picture after each event. `press:PIN` presses
+// a button when the picture is complete. `amid:PIN` presses a button while the picture is
+// drawn. `usb` waits for a scene over USB. Standard input is then a terminal in raw mode
+// that carries the serial data of the USB host.
 //
-// STREAM gets two bytes for each byte that is sent: the level of D/C and the byte; after
-// each picture, complete or broken off, the two bytes 2 and 0. Standard output gets for
-// each picture the cycles from when the LED lights up until it goes out, and the bytes
-// that are sent meanwhile. Misses of the flash's cache and the time that the SPI takes
-// are not among the cycles.
+// STREAM receives two bytes for each byte on the SPI: the level of D/C, then the byte. The
+// bytes 2 and 0 follow each picture, complete or aborted. Standard output receives a line
+// for each picture: the cycles while the LED is on, and the number of SPI bytes. The cycles
+// exclude flash cache misses and SPI wait times.
 
 import { readFileSync, readSync, writeFileSync, writeSync } from 'node:fs';
 import { ConsoleLogger, GPIOPinState, LogLevel, RP2040, USBCDC } from 'rp2040js';
 
-// The pins of src/pins.rs.
+// Pins, as in src/pins.rs.
 const DATA_OR_COMMAND = 8;
 const CHIP_SELECT = 9;
 const LED = 25;
@@ -24,24 +23,24 @@ const BUTTONS = [2, 15, 16, 18, 20];
 
 const FLASH = 0x1000_0000;
 const RAM = 0x2000_0000;
-// Where the boot ROM leaves the stack, and how it ends it.
+// Stack pointer that the boot ROM passes to the firmware.
 const STACK = 0x2004_1f00;
 const NANOSECONDS_PER_CYCLE = 8;
-// Time goes on by so many instructions at once.
+// Number of instructions between updates of the timers.
 const STRIDE = 32;
-// In the middle of a picture, and after it: so many cycles later. The firmware looks
-// at its buttons each 10 ms.
+// Cycles from the start of a picture to an `amid` press, and from the end of a picture to a
+// `press`. The firmware polls its buttons every 10 ms (1.25 million cycles).
 const AMID = 20e6;
 const AFTER = 3e6;
-// Where somebody uses the USB's host, who is asked for bytes each so many strides.
-const HOST = 0;
-const QUIET = 4000;
-// Firmware that takes longer for a picture hangs.
-const PATIENCE = 20e9;
+// File descriptor of the USB serial data, and its polling interval in strides.
+const SERIAL = 0;
+const POLL_INTERVAL = 4000;
+// Timeout for a picture, in cycles.
+const TIMEOUT = 20e9;
 
 const [firmware, streamFile, ...events] = process.argv.slice(2);
 if (!streamFile) {
-  throw new Error('node run.js FIRMWARE.elf STREAM [EVENT...]');
+  throw new Error('usage: node run.js FIRMWARE.elf STREAM [EVENT...]');
 }
 
 const mcu = new RP2040();
@@ -51,8 +50,8 @@ mcu.core.PC = FLASH;
 mcu.core.SP = STACK;
 mcu.core.LR = 0;
 
-// The emulator forgets to clear the bit of an exception's vector that says Thumb;
-// then no jump table works.
+// Workaround: rp2040js does not clear the Thumb bit of an exception vector, so jump tables
+// in interrupt handlers fail.
 const { exceptionEntry } = mcu.core;
 mcu.core.exceptionEntry = function (number) {
   exceptionEntry.call(this, number);
@@ -63,20 +62,20 @@ const stream = [];
 for (const [number, spi] of mcu.spi.entries()) {
   spi.onTransmit = (byte) => {
     if (number !== 1 || isHigh(CHIP_SELECT)) {
-      throw new Error('a byte is sent while the display is not selected');
+      throw new Error('SPI transfer while the display is not selected');
     }
     stream.push(isHigh(DATA_OR_COMMAND) ? 1 : 0, byte);
     spi.completeTransmit(0);
   };
 }
 mcu.peripherals[0x40058].onWatchdogTrigger = () => {
-  throw new Error(`the watchdog restarts the board, at ${hex(mcu.core.PC)}`);
+  throw new Error(`watchdog reset at ${hex(mcu.core.PC)}`);
 };
-// Nothing is pressed.
+// Buttons connect to ground: a high level means released.
 BUTTONS.forEach((pin) => mcu.gpio[pin].setInputValue(true));
 
-// What each event does while a picture is drawn, until the next begins.
-const HAPPEN = {
+// Actions of the events, from the start of a picture to the start of the next.
+const ACTIONS = {
   press(pin) {
     end();
     wait(AFTER);
@@ -94,22 +93,22 @@ const exchange = connect(events.includes('usb'));
 let start;
 begin();
 for (const event of events) {
-  const [what, number] = event.split(':');
+  const [name, number] = event.split(':');
   const pin = mcu.gpio[number];
-  HAPPEN[what](pin);
+  ACTIONS[name](pin);
   begin();
   pin?.setInputValue(true);
 }
 end();
 writeFileSync(streamFile, Buffer.from(stream));
 
-// Runs until a picture begins.
+// Runs until the LED turns on: a picture begins.
 function begin() {
   runUntil(() => isHigh(LED));
   start = { cycles: mcu.core.cycles, bytes: stream.length / 2 };
 }
 
-// Runs until it is complete, or broken off.
+// Runs until the LED turns off: the picture is complete or aborted.
 function end() {
   runUntil(() => !isHigh(LED));
   const bytes = stream.length / 2 - start.bytes;
@@ -122,38 +121,38 @@ function wait(cycles) {
   runUntil(() => mcu.core.cycles > until);
 }
 
-// Connects the USB to a host. Returns a function that takes what the host
-// sends, if there is somebody.
-function connect(isSomebodyThere) {
+// Connects the USB device to an emulated host. Returns a function that exchanges data with
+// standard input, if `isEnabled`.
+function connect(isEnabled) {
   const usb = mcu.usbCtrl;
   const host = new USBCDC(usb);
-  const answer = usb.onEndpointRead;
-  // Where the firmware wants data: it gets them as soon as there are some.
-  let wanted;
+  const completeRead = usb.onEndpointRead;
+  // Pending read of the firmware. It completes as soon as data is available.
+  let pending;
   usb.onEndpointRead = (endpoint, size) => {
-    wanted = endpoint === 0 ? wanted : { endpoint, size };
+    pending = endpoint === 0 ? pending : { endpoint, size };
   };
-  if (!isSomebodyThere) {
+  if (!isEnabled) {
     return () => {};
   }
-  host.onSerialData = (bytes) => writeSync(HOST, bytes);
+  host.onSerialData = (bytes) => writeSync(SERIAL, bytes);
   return () => {
     if (host.txFIFO.empty) {
-      received().forEach((byte) => host.sendSerialByte(byte));
+      readSerial().forEach((byte) => host.sendSerialByte(byte));
     }
-    if (wanted?.endpoint === host.outEndpoint && !host.txFIFO.empty) {
-      const { endpoint, size } = wanted;
-      wanted = undefined;
-      answer(endpoint, size);
+    if (pending?.endpoint === host.outEndpoint && !host.txFIFO.empty) {
+      const { endpoint, size } = pending;
+      pending = undefined;
+      completeRead(endpoint, size);
     }
   };
 }
 
-// What somebody sent to the host, if anything.
-function received() {
+// Returns the bytes that are available on standard input.
+function readSerial() {
   const bytes = Buffer.alloc(512);
   try {
-    return bytes.subarray(0, readSync(HOST, bytes));
+    return bytes.subarray(0, readSync(SERIAL, bytes));
   } catch (error) {
     if (error.code === 'EAGAIN') {
       return [];
@@ -164,9 +163,9 @@ function received() {
 
 function runUntil(isDone) {
   const { core, clock } = mcu;
-  const deadline = core.cycles + PATIENCE;
+  const deadline = core.cycles + TIMEOUT;
   for (let stride = 0; !isDone(); stride++) {
-    if (stride % QUIET === 0) {
+    if (stride % POLL_INTERVAL === 0) {
       exchange();
     }
     const before = core.cycles;
@@ -180,7 +179,7 @@ function runUntil(isDone) {
       throw new Error(`the firmware jumps to ${hex(core.PC)}`);
     }
     if (core.cycles > deadline) {
-      throw new Error(`the firmware hangs at ${hex(core.PC)}`);
+      throw new Error(`timeout: the firmware hangs at ${hex(core.PC)}`);
     }
   }
 }
@@ -193,7 +192,7 @@ function hex(address) {
   return `0x${address.toString(16)}`;
 }
 
-// Puts the segments of an ELF file (32 bits, little-endian) into flash.
+// Loads the segments of a 32-bit little-endian ELF file into flash.
 function load(elf) {
   const [start, size, count] = [elf.readUInt32LE(28), elf.readUInt16LE(42), elf.readUInt16LE(44)];
   for (let header = start; header < start + size * count; header += size) {

@@ -16,57 +16,61 @@ use rp2040_hal::{Clock, Sio, Spi, Timer, Watchdog, pac};
 
 use crate::buttons::{Button, Buttons};
 use crate::pins::{self, LcdClock, LcdData, LcdSpi, Pins};
-use crate::scenes::Scenes;
-use crate::usb::{self, Inbox};
+use crate::scenes::Buffer;
+use crate::usb::{self, SceneReceiver};
 
-/// The second stage of booting, which makes the Pico's flash readable as memory.
+/// Second-stage bootloader, which maps the flash of the Pico into memory.
 #[unsafe(link_section = ".boot2")]
 #[used]
 static BOOT2: [u8; 256] = rp2040_boot2::BOOT_LOADER_W25Q080;
 
-/// The Pico's crystal; the core's clock is 125 MHz.
+/// Frequency of the crystal; the core runs at 125 MHz.
 const CRYSTAL_HZ: u32 = 12_000_000;
 
-/// What the display is sent at once: a line.
+/// Transfer buffer of the display driver: one line of 16-bit pixels.
 pub(crate) type LineBuffer = [u8; 2 * pins::LCD_SIZE.0 as usize];
 
 type Output = Pin<DynPinId, FunctionSioOutput, PullDown>;
 type Input = Pin<DynPinId, FunctionSioInput, PullUp>;
 type Bus = Spi<Enabled, LcdSpi, (LcdData, LcdClock)>;
-type Wires = SpiInterface<'static, ExclusiveDevice<Bus, Output, NoDelay>, Output>;
+type Interface = SpiInterface<'static, ExclusiveDevice<Bus, Output, NoDelay>, Output>;
 
-/// The display. As its wires go one way only, no error comes back.
-pub(crate) type Display = mipidsi::Display<Wires, ST7789, Output>;
+/// The display. SPI transfers are write-only and cannot fail.
+pub(crate) type Display = mipidsi::Display<Interface, ST7789, Output>;
 
-/// What somebody asks for.
+/// User input.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Event {
+    /// A button was pressed.
     Press(Button),
-    /// The scene with this number, which came just now.
-    Sent(usize),
+    /// A valid scene arrived over USB.
+    Received,
 }
 
-/// What the firmware uses of the board.
+/// Peripherals of the board that the firmware uses.
 pub(crate) struct Board {
     pub(crate) display: Display,
-    pub(crate) scenes: &'static mut Scenes,
-    /// Restarts the board when it is not fed for two seconds.
+    /// Resets the board if it is not fed for two seconds.
     watchdog: Watchdog,
-    /// Lit while a picture is drawn.
+    /// On while a picture is drawn.
     pub(crate) led: Output,
     buttons: Buttons<Input>,
     timer: Timer,
+    /// Validates a received scene while another scene is drawn.
+    validation_buffer: &'static mut Buffer,
 }
 
 impl Board {
-    /// Sets the board up, once. What cannot be set up is a mistake in this
-    /// crate: a panic tells of it.
-    pub(crate) fn take(
+    /// Initializes the board. Must be called only once.
+    ///
+    /// # Panics
+    /// Panics if the crystal or the display configuration is invalid.
+    pub(crate) fn new(
         line: &'static mut LineBuffer,
-        scenes: &'static mut Scenes,
-        inbox: &'static mut Inbox,
+        receiver: &'static mut SceneReceiver,
+        validation_buffer: &'static mut Buffer,
     ) -> Self {
-        let mut pac = pac::Peripherals::take().expect("the board is taken once");
+        let mut pac = pac::Peripherals::take().expect("the board is initialized once");
         let mut watchdog = Watchdog::new(pac.WATCHDOG);
         let clocks = init_clocks_and_plls(
             CRYSTAL_HZ,
@@ -77,7 +81,7 @@ impl Board {
             &mut pac.RESETS,
             &mut watchdog,
         )
-        .unwrap_or_else(|_| panic!("the crystal is not one of {} Hz", CRYSTAL_HZ));
+        .unwrap_or_else(|_| panic!("no clock configuration for a crystal of {} Hz", CRYSTAL_HZ));
         let mut timer = Timer::new(pac.TIMER, &mut pac.RESETS, &clocks);
         let sio = Sio::new(pac.SIO);
         let pins = Pins::new(
@@ -91,10 +95,10 @@ impl Board {
 
         let (registers, memory) = (pac.USBCTRL_REGS, pac.USBCTRL_DPRAM);
         let bus = UsbBus::new(registers, memory, clocks.usb_clock, true, &mut pac.RESETS);
-        usb::start(bus, inbox, timer);
+        usb::start(bus, receiver, timer);
 
-        let wires = (pins.lcd_data.reconfigure(), pins.lcd_clock.reconfigure());
-        let spi = Spi::<_, LcdSpi, _>::new(pins::lcd_spi!(pac), wires);
+        let spi_pins = (pins.lcd_data.reconfigure(), pins.lcd_clock.reconfigure());
+        let spi = Spi::<_, LcdSpi, _>::new(pins::lcd_spi!(pac), spi_pins);
         let clock = clocks.peripheral_clock.freq();
         let bus = spi.init(
             &mut pac.RESETS,
@@ -112,14 +116,13 @@ impl Board {
             .orientation(pins::LCD_ORIENTATION)
             .invert_colors(pins::LCD_INVERSION)
             .init(&mut timer)
-            .unwrap_or_else(|_| panic!("the driver does not support such a display"));
-        // The display's memory is noise until it is written.
+            .unwrap_or_else(|_| panic!("display initialization failed"));
+        // The display memory is undefined after power-on.
         let Ok(()) = display.clear(Rgb565::BLACK);
         let Ok(()) = pins.lcd_backlight.into_push_pull_output().set_high();
 
         Self {
             display,
-            scenes,
             watchdog,
             led: pins.led.into_push_pull_output().into_dyn_pin(),
             buttons: Buttons::new([
@@ -133,22 +136,30 @@ impl Board {
                 (Button::Next, pins.next.into_pull_up_input().into_dyn_pin()),
             ]),
             timer,
+            validation_buffer,
         }
     }
 
-    /// What was asked for since the last look, if anything; feeds the watchdog.
-    pub(crate) fn event(&mut self) -> Option<Event> {
+    /// Returns the user input since the last call. Feeds the watchdog.
+    ///
+    /// After [`Event::Received`], the caller must store the scene with
+    /// [`Scenes::store_received`](crate::scenes::Scenes::store_received).
+    pub(crate) fn poll(&mut self) -> Option<Event> {
         self.watchdog.feed();
-        let sent = || self.scenes.received().map(Event::Sent);
-        self.buttons.pressed().map(Event::Press).or_else(sent)
+        if let Some(button) = self.buttons.poll() {
+            return Some(Event::Press(button));
+        }
+        let is_received = usb::receive(|scene| self.validation_buffer.decode(scene).map(drop));
+        is_received.then_some(Event::Received)
     }
 
-    /// Waits for something to be asked for. Buttons bounce for less than the
-    /// time between two looks at them.
+    /// Waits for user input.
+    ///
+    /// Polls every 10 ms, which is longer than the buttons bounce.
     pub(crate) fn wait(&mut self) -> Event {
         loop {
             self.timer.delay_ms(10);
-            if let Some(event) = self.event() {
+            if let Some(event) = self.poll() {
                 return event;
             }
         }

@@ -2,7 +2,7 @@ use core::convert::Infallible;
 
 use embedded_hal::digital::InputPin;
 
-/// A button.
+/// Buttons of the board.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Button {
     Left,
@@ -12,29 +12,29 @@ pub(crate) enum Button {
     Next,
 }
 
-/// Buttons that connect their pins to ground.
+/// Driver of buttons that connect their pins to ground.
 pub(crate) struct Buttons<P> {
     buttons: [(Button, P); 5],
-    /// What was pressed when it was last looked at.
-    last: Option<Button>,
+    /// Pressed button at the last poll.
+    previous: Option<Button>,
 }
 
 impl<P: InputPin<Error = Infallible>> Buttons<P> {
     pub(crate) fn new(buttons: [(Button, P); 5]) -> Self {
         Self {
             buttons,
-            last: None,
+            previous: None,
         }
     }
 
-    /// A button that is pressed now and was not when this was last asked.
-    pub(crate) fn pressed(&mut self) -> Option<Button> {
+    /// Returns a button that was pressed since the last call.
+    pub(crate) fn poll(&mut self) -> Option<Button> {
         let mut buttons = self.buttons.iter_mut();
-        let now = buttons.find_map(|(button, pin)| {
+        let current = buttons.find_map(|(button, pin)| {
             let Ok(is_pressed) = pin.is_low();
             is_pressed.then_some(*button)
         });
-        let before = core::mem::replace(&mut self.last, now);
-        now.filter(|_| now != before)
+        let previous = core::mem::replace(&mut self.previous, current);
+        current.filter(|_| current != previous)
     }
 }

@@ -1,8 +1,7 @@
-//! Draws scenes on the display of a Raspberry Pi Pico.
+//! Draws scenes on an ST7789 display of 240x240 pixels, on a Raspberry Pi Pico.
 //!
-//! The scenes are compiled on the host and lie in flash, see `build.rs`, or come over
-//! USB. The stick moves the camera around what it looks at, a button shows the next
-//! scene.
+//! The build script compiles the scenes on the host into flash. More scenes can be sent over
+//! USB. The joystick orbits the camera around its target. A button shows the next scene.
 
 #![no_std]
 #![no_main]
@@ -13,7 +12,7 @@ mod pins;
 mod scenes;
 mod usb;
 
-// The logger, and what tells of a panic.
+// Logger and panic handler.
 use {defmt_rtt as _, panic_probe as _};
 
 use defmt::Display2Format;
@@ -26,78 +25,81 @@ use whitted::{DecodeError, PreparedScene, Real, Renderer};
 use board::{Board, Event, LineBuffer};
 use buttons::Button;
 use scenes::{Buffer, Scenes};
-use usb::Inbox;
+use usb::SceneReceiver;
 
-/// How far the stick moves the camera, in degrees.
-const STEP: Real = Real::lit("15");
+/// Orbit angle per joystick press, in degrees.
+const ORBIT_STEP: Real = Real::lit("15");
 
 #[entry]
 fn main() -> ! {
-    // Room for the scenes, for one on its way, for the one that is drawn, and for what
-    // goes to the display at once.
+    // The scenes in flash, and the last scene that arrived over USB.
     static mut SCENES: Scenes = Scenes::new();
-    static mut INBOX: Inbox = Inbox::new();
+    // The scene that is being received.
+    static mut RECEIVER: SceneReceiver = SceneReceiver::new();
+    // The scene that is drawn.
     static mut BUFFER: Buffer = Buffer::new();
+    // Memory to validate a received scene.
+    static mut VALIDATION_BUFFER: Buffer = Buffer::new();
     static mut LINE: LineBuffer = [0; size_of::<LineBuffer>()];
 
-    let mut board = Board::take(LINE, SCENES, INBOX);
-    let mut number = 0;
+    let mut board = Board::new(LINE, RECEIVER, VALIDATION_BUFFER);
+    let mut index = 0;
     loop {
-        let count = board.scenes.count();
-        defmt::info!("scene {=usize} of {=usize}", number + 1, count);
-        let event = match BUFFER.decode(board.scenes.get(number)) {
-            Ok(mut scene) => explore(&mut scene, &mut board),
-            Err(error) => complain(error, &mut board),
+        let count = SCENES.count();
+        defmt::info!("scene {=usize} of {=usize}", index + 1, count);
+        let event = match BUFFER.decode(SCENES.get(index)) {
+            Ok(mut scene) => show_scene(&mut scene, &mut board),
+            Err(error) => show_error(error, &mut board),
         };
-        number = match event {
-            Event::Sent(number) => number,
-            Event::Press(_) => (number + 1) % count,
+        index = match event {
+            Event::Received => SCENES.store_received(),
+            Event::Press(_) => (index + 1) % count,
         };
     }
 }
 
-/// Draws the scene from wherever it is to be looked at, until another is asked for.
-fn explore(scene: &mut PreparedScene<'_>, board: &mut Board) -> Event {
+/// Shows a scene and moves the camera, until another scene is selected.
+fn show_scene(scene: &mut PreparedScene<'_>, board: &mut Board) -> Event {
     loop {
         let event = draw(scene, board).unwrap_or_else(|| board.wait());
         let (yaw, pitch) = match event {
-            Event::Press(Button::Left) => (-STEP, Real::ZERO),
-            Event::Press(Button::Right) => (STEP, Real::ZERO),
-            Event::Press(Button::Up) => (Real::ZERO, STEP),
-            Event::Press(Button::Down) => (Real::ZERO, -STEP),
-            Event::Press(Button::Next) | Event::Sent(_) => return event,
+            Event::Press(Button::Left) => (-ORBIT_STEP, Real::ZERO),
+            Event::Press(Button::Right) => (ORBIT_STEP, Real::ZERO),
+            Event::Press(Button::Up) => (Real::ZERO, ORBIT_STEP),
+            Event::Press(Button::Down) => (Real::ZERO, -ORBIT_STEP),
+            Event::Press(Button::Next) | Event::Received => return event,
         };
         if let Err(error) = scene.set_camera(&scene.camera().orbited(yaw, pitch)) {
-            defmt::warn!("the camera stays: {}", Display2Format(&error));
+            defmt::warn!("the camera cannot move there: {}", Display2Format(&error));
         }
     }
 }
 
-/// Draws a picture, coarsely first, unless something is asked for meanwhile.
+/// Draws a picture in progressive order. Stops and returns the event on user input.
 fn draw(scene: &PreparedScene<'_>, board: &mut Board) -> Option<Event> {
     let mut renderer = Renderer::new(scene, board.display.size());
-    let mut drawing = RenderProgress::progressive(board.display.bounding_box());
+    let mut progress = RenderProgress::progressive(board.display.bounding_box());
     let mut event = None;
     let Ok(()) = board.led.set_high();
-    while !drawing.is_complete() && event.is_none() {
-        let Ok(()) = renderer.step(&mut drawing, Step::Line, &mut board.display);
-        event = board.event();
+    while !progress.is_complete() && event.is_none() {
+        let Ok(()) = renderer.step(&mut progress, Step::Line, &mut board.display);
+        event = board.poll();
     }
     let Ok(()) = board.led.set_low();
     event
 }
 
-/// Says why a scene cannot be drawn, until another is asked for.
-fn complain(error: DecodeError, board: &mut Board) -> Event {
-    defmt::error!("it cannot be drawn: {}", Display2Format(&error));
+/// Shows why a scene cannot be drawn, until another scene is selected.
+fn show_error(error: DecodeError, board: &mut Board) -> Event {
+    defmt::error!("invalid scene: {}", Display2Format(&error));
     let text = format_args!("This scene cannot be drawn: {error}.");
     let Ok(()) = board.led.set_high();
-    // A display that takes no text cannot be told anything.
+    // Writing to the display never fails.
     _ = message_page::write(&mut board.display, &FONT_10X20, text);
     let Ok(()) = board.led.set_low();
     loop {
         let event = board.wait();
-        if matches!(event, Event::Press(Button::Next) | Event::Sent(_)) {
+        if matches!(event, Event::Press(Button::Next) | Event::Received) {
             return event;
         }
     }

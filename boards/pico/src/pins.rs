@@ -1,24 +1,24 @@
-//! What is wired to which pin, and how it is mounted: here alone.
+//! Pins and display settings: all hardware configuration of the board.
 //!
-//! These are the pins of the hat Waveshare Pico-LCD-1.3. README.md has them as
-//! a table; any ST7789 and buttons to ground can be wired so, or otherwise.
+//! The values are for the Waveshare Pico-LCD-1.3 hat. README.md lists the pins in a table.
+//! Another ST7789 display and other buttons to ground work with changed values.
 
 use mipidsi::options::{ColorInversion, Orientation, Rotation};
 use rp2040_hal::pac;
 
-/// In pixels, as they are read.
+/// Width and height of the display, in pixels.
 pub(crate) const LCD_SIZE: (u16, u16) = (240, 240);
-/// The hat's panel is mounted on its side.
+/// The panel of the hat is mounted rotated by 90 degrees.
 pub(crate) const LCD_ORIENTATION: Orientation = Orientation::new().rotate(Rotation::Deg90);
-/// As an IPS panel needs it.
+/// IPS panels need inverted colors.
 pub(crate) const LCD_INVERSION: ColorInversion = ColorInversion::Inverted;
-/// The controller takes up to 62.5 MHz; halve it for long wires.
+/// SPI clock. The controller allows up to 62.5 MHz. Use half of this value for long wires.
 pub(crate) const LCD_HZ: u32 = 31_250_000;
 
-/// The SPI that the pins of clock and data belong to.
+/// SPI peripheral of the clock and data pins.
 pub(crate) type LcdSpi = pac::SPI1;
 
-/// The same, of the chip's peripherals.
+/// Selects the [`LcdSpi`] peripheral from the peripherals of the chip.
 macro_rules! lcd_spi {
     ($peripherals:expr) => {
         $peripherals.SPI1

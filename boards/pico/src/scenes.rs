@@ -1,56 +1,54 @@
-//! The scenes: those in flash, compiled by `build.rs`, and one that came over USB.
+//! Scenes in flash, compiled by the build script, and one scene received over USB.
 
 use heapless::Vec;
-use whitted::DecodeError;
 use whitted::scene::SceneCounts;
 
 use crate::usb;
 
+// Defines `SCENES`, the compiled scenes, and `COUNTS`, the capacity that fits each of them.
 include!(concat!(env!("OUT_DIR"), "/scenes.rs"));
 
-/// Capacity for a scene that is sent over USB.
-const SENT: SceneCounts = SceneCounts::EMPTY.objects(64).lights(8).materials(64);
+/// Capacity for scenes received over USB.
+const RECEIVED_COUNTS: SceneCounts = SceneCounts::EMPTY.objects(64).lights(8).materials(64);
 
 /// Capacity for any scene.
-const CAPACITY: SceneCounts = COUNTS.max(SENT);
+const CAPACITY: SceneCounts = COUNTS.max(RECEIVED_COUNTS);
 
 /// Memory for any scene.
 pub(crate) type Buffer = whitted::scene_buffer!(CAPACITY);
 
-/// The scenes in flash, and after them the one that came last over USB.
+/// List of the scenes in flash, followed by the last scene received over USB.
 pub(crate) struct Scenes {
-    sent: Vec<u8, { usb::ROOM }>,
-    /// Where is seen whether a scene can be drawn, while another is.
-    trial: Buffer,
+    received: Vec<u8, { usb::CAPACITY }>,
 }
 
 impl Scenes {
-    /// Those in flash.
+    /// Creates the list with the scenes in flash.
     pub(crate) const fn new() -> Self {
         Self {
-            sent: Vec::new(),
-            trial: Buffer::new(),
+            received: Vec::new(),
         }
     }
 
-    /// A scene, compiled.
-    pub(crate) fn get(&self, number: usize) -> &[u8] {
-        SCENES.get(number).copied().unwrap_or(&self.sent)
+    /// Returns a compiled scene. Indices past the flash select the received scene.
+    pub(crate) fn get(&self, index: usize) -> &[u8] {
+        SCENES.get(index).copied().unwrap_or(&self.received)
     }
 
+    /// Returns the number of scenes.
     pub(crate) fn count(&self) -> usize {
-        SCENES.len() + usize::from(!self.sent.is_empty())
+        SCENES.len() + usize::from(!self.received.is_empty())
     }
 
-    /// The number of a scene that came over USB, if one did. What cannot be
-    /// drawn changes nothing.
-    pub(crate) fn received(&mut self) -> Option<usize> {
-        let is_there = usb::receive(|scene| {
-            self.trial.decode(scene)?;
-            self.sent.clear();
-            let room = self.sent.extend_from_slice(scene);
-            room.map_err(|_| DecodeError::Length)
+    /// Stores the scene in the USB receiver and returns its index.
+    ///
+    /// The scene replaces the previous received scene, so no prepared scene may borrow it.
+    pub(crate) fn store_received(&mut self) -> usize {
+        usb::take(|scene| {
+            self.received.clear();
+            // The capacity equals that of the receiver, so the scene always fits.
+            _ = self.received.extend_from_slice(scene);
         });
-        is_there.then_some(SCENES.len())
+        SCENES.len()
     }
 }

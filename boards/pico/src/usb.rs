@@ -1,7 +1,7 @@
-//! Scenes that come over USB, which is a serial port to the host.
+//! Receives scenes over USB, as a serial port (CDC ACM).
 //!
-//! A line may take longer to trace than a host waits. So an interrupt keeps the
-//! connection and receives; what came is looked at between lines.
+//! Tracing a line may exceed the USB timeouts of the host, so an interrupt handler serves
+//! the connection. The main loop processes received scenes between lines.
 
 use core::cell::RefCell;
 use core::fmt::{self, Write};
@@ -18,37 +18,38 @@ use usb_device::device::{StringDescriptors, UsbDevice, UsbDeviceBuilder, UsbVidP
 use usbd_serial::{SerialPort, USB_CLASS_CDC};
 use whitted::DecodeError;
 
-/// Room for a scene, its ticket and its checksum.
-pub(crate) const ROOM: usize = 16 * 1024;
+/// Receiver capacity in bytes: scene, ticket and checksum.
+pub(crate) const CAPACITY: usize = 16 * 1024;
 
-/// A transfer that does not go on for so long is given up.
-const PATIENCE: MicrosDurationU64 = MicrosDurationU64::secs(1);
+/// A transfer is aborted after this time without data.
+const TIMEOUT: MicrosDurationU64 = MicrosDurationU64::secs(1);
 
-/// That of serial ports of whoever has no number of their own.
+/// Shared USB vendor and product ID for CDC ACM serial ports.
 const VENDOR_PRODUCT: UsbVidPid = UsbVidPid(0x16C0, 0x27DD);
 
-/// For the interrupt, and for whoever looks.
+/// Connection state, shared by the interrupt handler and the main loop.
 static LINK: Mutex<RefCell<Option<Link>>> = Mutex::new(RefCell::new(None));
 
+/// USB serial connection and the receiver of its scenes.
 struct Link {
     device: UsbDevice<'static, UsbBus>,
     port: Port,
-    inbox: &'static mut Inbox,
+    receiver: &'static mut SceneReceiver,
     timer: Timer,
-    /// When a byte came last.
-    last: Instant,
+    /// Time of the last received byte.
+    last_received: Instant,
 }
 
-/// What comes, until it is looked at.
-pub(crate) type Inbox = Receiver<ROOM>;
+/// Receiver of the scene protocol.
+pub(crate) type SceneReceiver = Receiver<CAPACITY>;
 
-/// With room for the longest answer.
+/// Serial port; the transmit buffer of 256 bytes fits the longest answer.
 type Port = SerialPort<'static, UsbBus, [u8; 128], [u8; 256]>;
 
-/// Connects to a host whenever there is one; once.
-pub(crate) fn start(bus: UsbBus, inbox: &'static mut Inbox, timer: Timer) {
-    let new = cortex_m::singleton!(: UsbBusAllocator<UsbBus> = UsbBusAllocator::new(bus));
-    let bus = new.expect("the board is taken once");
+/// Starts the USB device. Must be called only once.
+pub(crate) fn start(bus: UsbBus, receiver: &'static mut SceneReceiver, timer: Timer) {
+    let allocator = cortex_m::singleton!(: UsbBusAllocator<UsbBus> = UsbBusAllocator::new(bus));
+    let bus = allocator.expect("the board is initialized once");
     let port = SerialPort::new_with_store(bus, [0; 128], [0; 256]);
     let names = StringDescriptors::default()
         .manufacturer("whitted")
@@ -56,18 +57,18 @@ pub(crate) fn start(bus: UsbBus, inbox: &'static mut Inbox, timer: Timer) {
     let device = UsbDeviceBuilder::new(bus, VENDOR_PRODUCT)
         .strings(&[names])
         .and_then(|builder| builder.max_packet_size_0(64))
-        .expect("names and size are what USB allows")
+        .expect("the USB strings and packet size are valid")
         .device_class(USB_CLASS_CDC)
         .build();
     let link = Link {
         device,
         port,
-        inbox,
+        receiver,
         timer,
-        last: timer.get_counter(),
+        last_received: timer.get_counter(),
     };
     critical_section::with(|cs| LINK.replace(cs, Some(link)));
-    // SAFETY: no code relies on this interrupt being masked.
+    // SAFETY: no critical section relies on this interrupt being masked.
     unsafe { cortex_m::peripheral::NVIC::unmask(pac::Interrupt::USBCTRL_IRQ) }
 }
 
@@ -76,43 +77,63 @@ fn USBCTRL_IRQ() {
     with_link(Link::poll);
 }
 
-/// Whether a scene came that `check` lets pass; the host gets its answer.
+/// Validates a received scene with the closure `check` and sends the answer to the host.
+///
+/// Returns true if a scene arrived and is valid. The receiver then keeps the scene until
+/// [`take`] is called.
 pub(crate) fn receive(check: impl FnOnce(&[u8]) -> Result<(), DecodeError>) -> bool {
-    with_link(|link| link.look(check)).unwrap_or(false)
+    with_link(|link| link.process(check)).unwrap_or(false)
 }
 
+/// Passes the received scene to the closure `store` and removes it from the receiver.
+pub(crate) fn take(store: impl FnOnce(&[u8])) {
+    with_link(|link| {
+        if let Some(message) = link.receiver.message() {
+            store(message.scene);
+        }
+        link.receiver.forget();
+    });
+}
+
+/// Runs a function on the connection with interrupts disabled.
+///
+/// Returns `None` before [`start`].
 fn with_link<R>(act: impl FnOnce(&mut Link) -> R) -> Option<R> {
     critical_section::with(|cs| LINK.borrow_ref_mut(cs).as_mut().map(act))
 }
 
 impl Link {
+    /// Serves the USB device and passes received bytes to the receiver.
     fn poll(&mut self) {
         if !self.device.poll(&mut [&mut self.port]) {
             return;
         }
         let mut packet = [0; 64];
         while let Ok(length) = self.port.read(&mut packet) {
-            self.last = self.timer.get_counter();
+            self.last_received = self.timer.get_counter();
             for byte in packet.iter().take(length) {
-                if let Some(Err(why)) = self.inbox.receive(*byte) {
+                if let Some(Err(why)) = self.receiver.receive(*byte) {
                     self.answer(Answer::Broken { why });
                 }
             }
         }
     }
 
-    fn look(&mut self, check: impl FnOnce(&[u8]) -> Result<(), DecodeError>) -> bool {
-        let Some(Message { ticket, scene }) = self.inbox.message() else {
-            let silence = self.timer.get_counter() - self.last;
-            if silence > PATIENCE
-                && let Some(why) = self.inbox.forget()
+    /// Checks and answers a complete message, or aborts a stalled transfer.
+    fn process(&mut self, check: impl FnOnce(&[u8]) -> Result<(), DecodeError>) -> bool {
+        let Some(Message { ticket, scene }) = self.receiver.message() else {
+            let silence = self.timer.get_counter() - self.last_received;
+            if silence > TIMEOUT
+                && let Some(why) = self.receiver.forget()
             {
                 self.answer(Answer::Broken { why });
             }
             return false;
         };
         let checked = check(scene);
-        self.inbox.forget();
+        if checked.is_err() {
+            self.receiver.forget();
+        }
         self.answer(match checked {
             Ok(()) => Answer::Shown { ticket },
             Err(why) => Answer::Refused { ticket, why },
@@ -120,15 +141,16 @@ impl Link {
         checked.is_ok()
     }
 
-    /// A host that does not read loses what there is no room for.
+    /// Sends an answer. Text that exceeds the transmit buffer is lost if the host does not read.
     fn answer(&mut self, answer: Answer<impl fmt::Display>) {
-        _ = writeln!(Lines(&mut self.port), "{answer}");
+        _ = writeln!(TextOutput(&mut self.port), "{answer}");
     }
 }
 
-struct Lines<'p>(&'p mut Port);
+/// Text output to the serial port.
+struct TextOutput<'p>(&'p mut Port);
 
-impl Write for Lines<'_> {
+impl Write for TextOutput<'_> {
     fn write_str(&mut self, text: &str) -> fmt::Result {
         self.0.write(text.as_bytes()).map_err(|_| fmt::Error)?;
         Ok(())

@@ -1,90 +1,92 @@
-//! What differs from board to board: the crystal, and the wiring of the display.
-//! This is for the Feather STM32F405.
+//! Hardware setup for the Feather STM32F405: clock, wiring and display.
+//!
+//! For another board with this chip, change the crystal frequency and the pins.
 
+use embedded_graphics::pixelcolor::Rgb565;
+use embedded_graphics::prelude::*;
 use embedded_hal::spi::MODE_0;
-use embedded_hal_bus::spi::{ExclusiveDevice, NoDelay};
+use embedded_hal_bus::spi::ExclusiveDevice;
 use mipidsi::interface::SpiInterface;
 use mipidsi::models::ILI9341Rgb565;
 use mipidsi::options::{ColorOrder, Orientation, Rotation};
-use stm32f4xx_hal::gpio::{Output, PA4, PB8, PB9, Speed};
+use stm32f4xx_hal::gpio::Speed;
 use stm32f4xx_hal::pac::{CorePeripherals, Peripherals, SPI1};
 use stm32f4xx_hal::prelude::*;
 use stm32f4xx_hal::rcc::Config;
 use stm32f4xx_hal::spi::Spi;
 use stm32f4xx_hal::watchdog::IndependentWatchdog;
 
-type Select = PB8<Output>;
-type DataOrCommand = PA4<Output>;
-type Reset = PB9<Output>;
-
-type Device = ExclusiveDevice<Spi<SPI1>, Select, NoDelay>;
-type Display = mipidsi::Display<SpiInterface<'static, Device, DataOrCommand>, ILI9341Rgb565, Reset>;
-
-/// What the firmware uses of the board.
-pub(crate) struct Board {
-    pub(crate) display: Display,
+/// Display and watchdog, ready to use.
+pub(crate) struct Board<D> {
+    pub(crate) display: D,
+    /// Resets the chip if it is not fed for four seconds.
     pub(crate) watchdog: IndependentWatchdog,
 }
 
-impl Board {
-    /// Sets the board up, with room for pixels on their way to the display; to be
-    /// called once.
-    pub(crate) fn new(pixels: &'static mut [u8]) -> Self {
-        let (Some(chip), Some(core)) = (Peripherals::take(), CorePeripherals::take()) else {
-            defmt::panic!("the board is set up twice");
-        };
-        let mut rcc = chip.RCC.freeze(clock());
-        let mut delay = core.SYST.delay(&rcc.clocks);
-        let port_a = chip.GPIOA.split(&mut rcc);
-        let port_b = chip.GPIOB.split(&mut rcc);
+/// Initializes the board; `line` is the transfer buffer of the display driver.
+///
+/// Must be called only once.
+pub(crate) fn init(
+    line: &'static mut [u8],
+) -> Board<impl DrawTarget<Color = Rgb565, Error: defmt::Format> + OriginDimensions> {
+    let (Some(chip), Some(core)) = (Peripherals::take(), CorePeripherals::take()) else {
+        defmt::panic!("the board is already initialized");
+    };
+    let mut rcc = chip.RCC.freeze(clock());
+    let mut delay = core.SYST.delay(&rcc.clocks);
 
-        let clock = port_a.pa5.into_alternate().speed(Speed::High);
-        let output = port_a.pa7.into_alternate().speed(Speed::High);
-        let pins = (Some(clock), SPI1::NoMiso, Some(output));
-        // 21 MHz.
-        let frequency = rcc.clocks.pclk2() / 4;
-        let spi = Spi::new(chip.SPI1, pins, MODE_0, frequency, &mut rcc);
+    // Wiring.
+    let port_a = chip.GPIOA.split(&mut rcc);
+    let port_b = chip.GPIOB.split(&mut rcc);
+    let clock = port_a.pa5.into_alternate().speed(Speed::High);
+    let output = port_a.pa7.into_alternate().speed(Speed::High);
+    let data_or_command = port_a.pa4.into_push_pull_output();
+    let select = port_b.pb8.into_push_pull_output();
+    let reset = port_b.pb9.into_push_pull_output();
 
-        let select: Select = port_b.pb8.into_push_pull_output();
-        let data_or_command: DataOrCommand = port_a.pa4.into_push_pull_output();
-        let reset: Reset = port_b.pb9.into_push_pull_output();
-        let Ok(device) = ExclusiveDevice::new_no_delay(spi, select);
+    // 84 MHz / 4 = 21 MHz.
+    let frequency = rcc.clocks.pclk2() / 4;
+    let pins = (Some(clock), SPI1::NoMiso, Some(output));
+    let spi = Spi::new(chip.SPI1, pins, MODE_0, frequency, &mut rcc);
+    let Ok(device) = ExclusiveDevice::new_no_delay(spi, select);
 
-        let landscape = Orientation::new().rotate(Rotation::Deg90).flip_vertical();
-        let interface = SpiInterface::new(device, data_or_command, pixels);
-        let display = mipidsi::Builder::new(ILI9341Rgb565, interface)
-            .color_order(ColorOrder::Bgr)
-            .orientation(landscape)
-            .reset_pin(reset)
-            .init(&mut delay);
-        let display = match display {
-            Ok(display) => display,
-            Err(error) => defmt::panic!("the display does not start: {}", error),
-        };
+    let display = mipidsi::Builder::new(
+        ILI9341Rgb565,
+        SpiInterface::new(device, data_or_command, line),
+    )
+    .color_order(ColorOrder::Bgr)
+    .orientation(Orientation::new().rotate(Rotation::Deg90).flip_vertical())
+    .reset_pin(reset)
+    .init(&mut delay);
+    let display = match display {
+        Ok(display) => display,
+        Err(error) => defmt::panic!("display initialization failed: {}", error),
+    };
 
-        let mut watchdog = IndependentWatchdog::new(chip.IWDG);
-        // A line takes some milliseconds.
-        watchdog.start(4.secs());
-        Self { display, watchdog }
-    }
+    // A line takes a few milliseconds.
+    let mut watchdog = IndependentWatchdog::new(chip.IWDG);
+    watchdog.start(4.secs());
+    Board { display, watchdog }
+}
 
-    /// Leaves the picture on the display.
-    pub(crate) fn rest(mut self) -> ! {
-        #[cfg(feature = "emulator")]
-        cortex_m_semihosting::debug::exit(cortex_m_semihosting::debug::EXIT_SUCCESS);
-        loop {
-            self.watchdog.feed();
-        }
+/// Keeps the picture on the display: feeds the watchdog forever.
+///
+/// With the feature `emulator`, exits the emulator instead.
+pub(crate) fn finish(mut watchdog: IndependentWatchdog) -> ! {
+    #[cfg(feature = "emulator")]
+    cortex_m_semihosting::debug::exit(cortex_m_semihosting::debug::EXIT_SUCCESS);
+    loop {
+        watchdog.feed();
     }
 }
 
-/// 168 MHz, from the crystal of 12 MHz.
+/// Returns the clock configuration: 168 MHz from the crystal of 12 MHz.
 #[cfg(not(feature = "emulator"))]
 fn clock() -> Config {
     Config::hse(12.MHz()).sysclk(168.MHz())
 }
 
-/// The internal oscillator: emulators have no crystal.
+/// Returns the clock configuration: the internal oscillator, as QEMU has no crystal.
 #[cfg(feature = "emulator")]
 fn clock() -> Config {
     Config::hsi()

@@ -1,6 +1,7 @@
-//! Draws a scene on an ILI9341 display of 320x240 pixels, at SPI 1 of an STM32F405.
+//! Draws a scene on an ILI9341 display of 320x240 pixels, on an STM32F405.
 //!
-//! The scene is compiled on the host and lies in flash; see `build.rs`.
+//! The build script compiles the scene on the host into flash. `board.rs` initializes the
+//! hardware.
 
 #![no_std]
 #![no_main]
@@ -17,38 +18,43 @@ use {defmt_rtt as _, panic_probe as _};
 
 use board::Board;
 
-/// The scene, compiled.
+/// The compiled scene.
 static SCENE: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/scene.bin"));
+
+/// Number of objects, lights and materials in the scene.
 const COUNTS: SceneCounts = SceneCounts::of_compiled(SCENE);
 
 #[entry]
 fn main() -> ! {
-    // Room for the scene, and for pixels on their way to the display.
     static mut BUFFER: whitted::scene_buffer!(COUNTS) = <whitted::scene_buffer!(COUNTS)>::new();
-    static mut PIXELS: [u8; 640] = [0; 640];
+    // Transfer buffer of the display driver: one line of 16-bit pixels.
+    static mut LINE: [u8; 640] = [0; 640];
 
-    let mut board = Board::new(PIXELS);
-    let display = &mut board.display;
+    let Board {
+        mut display,
+        mut watchdog,
+    } = board::init(LINE);
+
     match BUFFER.decode(SCENE) {
         Ok(scene) => {
             let mut renderer = Renderer::new(&scene, display.size());
-            // In coarse blocks first.
-            let mut drawing = RenderProgress::progressive(display.bounding_box());
-            while !drawing.is_complete() {
-                match renderer.step(&mut drawing, Step::Line, display) {
-                    Ok(()) => board.watchdog.feed(),
-                    // The drawing is where it was: this line is sent again, or
-                    // the watchdog starts over.
-                    Err(error) => error!("the display fails: {}", error),
+            // Progressive order: blocks of 16 pixels first, single pixels last.
+            let mut progress = RenderProgress::progressive(display.bounding_box());
+            while !progress.is_complete() {
+                match renderer.step(&mut progress, Step::Line, &mut display) {
+                    Ok(()) => watchdog.feed(),
+                    // The next step sends the same line again. If the display keeps
+                    // failing, the watchdog resets the chip.
+                    Err(error) => error!("display error: {}", error),
                 }
             }
-            info!("the picture is complete");
+            info!("picture complete");
         }
         Err(error) => {
-            error!("the scene in flash: {}", Display2Format(&error));
+            error!("invalid scene in flash: {}", Display2Format(&error));
             let text = format_args!("The scene in flash cannot be drawn: {error}.");
-            _ = message_page::write(display, &FONT_10X20, text);
+            _ = message_page::write(&mut display, &FONT_10X20, text);
         }
     }
-    board.rest()
+    board::finish(watchdog)
 }

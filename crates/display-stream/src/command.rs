@@ -1,4 +1,4 @@
-//! The commands that are modeled, by the numbers of MIPI's Display Command Set.
+//! Opcodes of the modeled commands, from the MIPI Display Command Set.
 
 pub(crate) const NOP: u8 = 0x00;
 pub(crate) const SWRESET: u8 = 0x01;
@@ -20,17 +20,17 @@ pub(crate) const IDMOFF: u8 = 0x38;
 pub(crate) const COLMOD: u8 = 0x3A;
 pub(crate) const RAMWRC: u8 = 0x3C;
 pub(crate) const STE: u8 = 0x44;
-/// Brightness and the control of the backlight, which end at its read commands.
+// Brightness and backlight control. The model accepts and ignores them.
 pub(crate) const WRDISBV: u8 = 0x51;
 pub(crate) const WRCTRLD: u8 = 0x53;
 pub(crate) const WRCACE: u8 = 0x55;
 pub(crate) const WRCABCMB: u8 = 0x5E;
 
-/// From here on the makers have commands of their own.
-pub(crate) const FIRST_OF_MAKER: u8 = 0xB0;
+/// First opcode of the manufacturer commands, which the model ignores.
+pub(crate) const FIRST_MANUFACTURER: u8 = 0xB0;
 
-/// How many parameters of a command are looked at.
-pub(crate) const fn parameters(command: u8) -> usize {
+/// Returns the number of parameter bytes that the model reads for a command.
+pub(crate) const fn parameter_count(command: u8) -> usize {
     match command {
         CASET | RASET => 4,
         MADCTL | COLMOD => 1,

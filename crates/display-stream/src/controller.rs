@@ -1,25 +1,25 @@
 use crate::address::AddressOrder;
-use crate::command::{self, parameters};
+use crate::command::{self, parameter_count};
 use crate::error::{BlankError, StreamError};
 use crate::memory::{Cursor, Memory, Range};
 use crate::panel::Panel;
 use crate::picture::Picture;
 use crate::pixel;
 
-/// 18 bits a pixel: what both controllers start with.
+/// COLMOD after reset: 18 bits per pixel, on both controllers.
 const COLMOD_AT_RESET: u8 = 0x66;
 
-/// A byte, and the level of the D/C pin at it.
+/// A byte on the SPI bus, tagged with the level of the D/C pin.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Byte {
-    /// D/C is low.
+    /// Command opcode: D/C is low.
     Command(u8),
-    /// D/C is high: a parameter, or half a pixel.
+    /// Parameter or half of a 16-bit pixel: D/C is high.
     Data(u8),
 }
 
 impl Byte {
-    /// The byte, and whether D/C is high.
+    /// Creates a byte; `is_data` is the level of D/C.
     pub fn new(is_data: bool, byte: u8) -> Self {
         if is_data {
             Self::Data(byte)
@@ -29,26 +29,27 @@ impl Byte {
     }
 }
 
-/// A display controller that takes what is sent, byte by byte.
+/// Model of a display controller that executes SPI traffic byte by byte.
 ///
-/// A byte that it complains about has changed nothing; it can go on with the next.
+/// A byte that causes an error changes nothing that is visible. The next byte may
+/// follow.
 #[derive(Clone, Debug)]
 pub struct Controller {
     panel: Panel,
     memory: Memory,
     state: State,
-    /// What data is for.
+    /// The command that data bytes belong to.
     command: Option<u8>,
-    /// Parameters of that command, or half a pixel.
+    /// Parameters of `command` received so far, or the first byte of a pixel.
     received: Vec<u8>,
 }
 
-/// What commands set, and a reset brings back.
+/// Registers that commands set and SWRESET resets.
 #[derive(Clone, Debug)]
 struct State {
     columns: Range,
     rows: Range,
-    /// Where the next pixel goes, once pixels have started in this window.
+    /// Position of the next pixel; `None` until RAMWR starts a write in this window.
     cursor: Option<Cursor>,
     madctl: u8,
     colmod: u8,
@@ -73,7 +74,7 @@ impl State {
 }
 
 impl Controller {
-    /// A controller after power-on and its hardware's reset.
+    /// Creates a controller in its state after power-on and hardware reset.
     pub fn new(panel: Panel) -> Self {
         Self {
             panel,
@@ -84,10 +85,10 @@ impl Controller {
         }
     }
 
-    /// Takes the bytes until one is wrong.
+    /// Executes bytes up to the first error.
     ///
     /// # Errors
-    /// What is wrong with it.
+    /// Returns the error of the first invalid byte.
     pub fn receive_all(
         &mut self,
         bytes: impl IntoIterator<Item = Byte>,
@@ -95,21 +96,22 @@ impl Controller {
         bytes.into_iter().try_for_each(|byte| self.receive(byte))
     }
 
-    /// Takes a byte.
+    /// Executes one byte.
     ///
     /// # Errors
-    /// What is wrong with it, or with what came before it and is now complete.
+    /// Returns an error if the byte is invalid, or if it completes an invalid command
+    /// or pixel.
     pub fn receive(&mut self, byte: Byte) -> Result<(), StreamError> {
         match byte {
-            Byte::Command(command) => self.command(command),
-            Byte::Data(data) => self.data(data),
+            Byte::Command(command) => self.receive_command(command),
+            Byte::Data(data) => self.receive_data(data),
         }
     }
 
-    /// What a person sees now.
+    /// Returns the picture that the panel shows now.
     ///
     /// # Errors
-    /// Why there is nothing to be seen.
+    /// Returns the reason if the panel shows no picture.
     pub fn picture(&self) -> Result<Picture, BlankError> {
         let panel = &self.panel;
         if self.state.is_asleep {
@@ -119,14 +121,14 @@ impl Controller {
             return Err(BlankError::Off);
         }
         let is_negative = self.state.is_inverted != panel.is_inverted;
-        let is_swapped = pixel::is_swapped(self.state.madctl, panel.upright);
+        let is_swapped = pixel::is_red_blue_swapped(self.state.madctl, panel.madctl);
         let mut never_written = None;
         let picture = Picture::from_fn(panel.size(), |at| {
-            let pixel = self.memory.at(panel.place(at));
+            let pixel = self.memory.get(panel.memory_position(at));
             if pixel.is_none() {
                 never_written.get_or_insert(at);
             }
-            pixel::shown(pixel.unwrap_or_default(), is_swapped, is_negative)
+            pixel::visible_color(pixel.unwrap_or_default(), is_swapped, is_negative)
         });
         match never_written {
             Some(at) => Err(BlankError::NeverWritten { at }),
@@ -134,25 +136,25 @@ impl Controller {
         }
     }
 
-    fn command(&mut self, command: u8) -> Result<(), StreamError> {
-        let before = self.command.replace(command);
-        // Half a pixel is lost, as it is on the controllers.
+    fn receive_command(&mut self, command: u8) -> Result<(), StreamError> {
+        let previous = self.command.replace(command);
+        // As on the real controllers, a command discards an incomplete pixel.
         let received = std::mem::take(&mut self.received).len();
-        if let Some(before) = before
-            && received < parameters(before)
+        if let Some(previous) = previous
+            && received < parameter_count(previous)
         {
             self.command = None;
             return Err(StreamError::Interrupted {
-                command: before,
+                command: previous,
                 received,
-                expected: parameters(before),
+                expected: parameter_count(previous),
             });
         }
-        self.start(command)
+        self.execute(command)
     }
 
-    /// What a command does before it has parameters.
-    fn start(&mut self, command: u8) -> Result<(), StreamError> {
+    /// Executes the part of a command that needs no parameters.
+    fn execute(&mut self, command: u8) -> Result<(), StreamError> {
         let state = &mut self.state;
         match command {
             command::SWRESET => *state = State::new(&self.panel),
@@ -171,36 +173,36 @@ impl Controller {
             command::NOP | command::NORON | command::IDMOFF | command::GAMSET => {}
             command::TEOFF | command::TEON | command::STE => {}
             command::WRDISBV | command::WRCTRLD | command::WRCACE | command::WRCABCMB => {}
-            command::FIRST_OF_MAKER.. => {}
+            command::FIRST_MANUFACTURER.. => {}
             _ => return Err(StreamError::NotModeled { command }),
         }
         Ok(())
     }
 
-    fn data(&mut self, data: u8) -> Result<(), StreamError> {
+    fn receive_data(&mut self, data: u8) -> Result<(), StreamError> {
         let Some(command) = self.command else {
             return Err(StreamError::NoCommand { data });
         };
         match command {
-            command::RAMWR | command::RAMWRC => self.half_pixel(data),
-            _ if self.received.len() < parameters(command) => {
+            command::RAMWR | command::RAMWRC => self.receive_pixel_byte(data),
+            _ if self.received.len() < parameter_count(command) => {
                 self.received.push(data);
-                self.parameter(command)
+                self.apply_parameters(command)
             }
             _ => Ok(()),
         }
     }
 
-    /// What a command does once its parameters are complete.
-    fn parameter(&mut self, command: u8) -> Result<(), StreamError> {
+    /// Applies the parameters of a command once all have arrived.
+    fn apply_parameters(&mut self, command: u8) -> Result<(), StreamError> {
         let state = &mut self.state;
         match (command, self.received.as_slice()) {
             (command::CASET, &[a, b, c, d]) => {
-                state.columns = range(command, [a, b, c, d])?;
+                state.columns = parse_range(command, [a, b, c, d])?;
                 state.cursor = None;
             }
             (command::RASET, &[a, b, c, d]) => {
-                state.rows = range(command, [a, b, c, d])?;
+                state.rows = parse_range(command, [a, b, c, d])?;
                 state.cursor = None;
             }
             (command::MADCTL, &[madctl]) => state.madctl = madctl,
@@ -210,9 +212,10 @@ impl Controller {
         Ok(())
     }
 
-    fn half_pixel(&mut self, data: u8) -> Result<(), StreamError> {
+    fn receive_pixel_byte(&mut self, data: u8) -> Result<(), StreamError> {
         let State { colmod, madctl, .. } = self.state;
-        // The upper half is for displays without a controller of their own.
+        // Bits 0 to 2 select the format of the SPI interface: 5 is 16 bits per pixel.
+        // Bits 4 to 6 are for the parallel RGB interface.
         if colmod & 7 != 5 {
             return Err(StreamError::PixelFormat { colmod });
         }
@@ -224,11 +227,12 @@ impl Controller {
             return Err(StreamError::NothingToContinue);
         };
         let pixel = u16::from_be_bytes([first, data]);
-        self.memory.write(cursor, AddressOrder::of(madctl), pixel)
+        self.memory
+            .write(cursor, AddressOrder::from_madctl(madctl), pixel)
     }
 }
 
-fn range(command: u8, [a, b, c, d]: [u8; 4]) -> Result<Range, StreamError> {
+fn parse_range(command: u8, [a, b, c, d]: [u8; 4]) -> Result<Range, StreamError> {
     let (first, last) = (u16::from_be_bytes([a, b]), u16::from_be_bytes([c, d]));
     if last < first {
         return Err(StreamError::Reversed {

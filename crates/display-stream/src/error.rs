@@ -3,51 +3,51 @@ use core::fmt;
 
 use embedded_graphics_core::geometry::{Point, Size};
 
-/// What a driver should not have sent.
+/// An error in the SPI traffic: bytes that a correct driver does not send.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum StreamError {
-    /// Data that no command came before.
+    /// A data byte arrived before any command.
     NoCommand {
-        /// The data.
+        /// The data byte.
         data: u8,
     },
-    /// A command that changes the picture in a way that is not modeled.
+    /// The model does not implement this command.
     NotModeled {
-        /// The command.
+        /// The opcode.
         command: u8,
     },
-    /// A command that came before the parameters of the one before were complete.
+    /// A command arrived before the previous command had all its parameters.
     Interrupted {
-        /// The command that lacks parameters.
+        /// Opcode of the command that lacks parameters.
         command: u8,
-        /// How many it has got.
+        /// Number of parameter bytes received.
         received: usize,
-        /// How many it takes.
+        /// Number of parameter bytes that the command takes.
         expected: usize,
     },
-    /// A range of addresses whose end is before its start.
+    /// A window command has its last address before its first.
     Reversed {
-        /// The command that set it.
+        /// Opcode of the command: CASET or RASET.
         command: u8,
-        /// Its first column or row.
+        /// First column or row.
         first: u16,
-        /// Its last.
+        /// Last column or row.
         last: u16,
     },
-    /// Pixels for a window that reaches out of the memory.
+    /// A pixel was written while the window exceeds the memory.
     OutsideOfMemory {
-        /// The last column and row of the window.
+        /// Last column and row of the window.
         last: Point,
-        /// How many columns and rows there are, in this orientation.
+        /// Columns and rows of the memory in the current orientation.
         memory: Size,
     },
-    /// Pixels while pixels do not have 16 bits.
+    /// A pixel was written while COLMOD does not select 16 bits per pixel.
     PixelFormat {
-        /// The parameter of COLMOD.
+        /// Current value of COLMOD.
         colmod: u8,
     },
-    /// More pixels without a start in this window, after which they could go on.
+    /// RAMWRC arrived without a RAMWR in the current window.
     NothingToContinue,
 }
 
@@ -55,13 +55,10 @@ impl fmt::Display for StreamError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
             Self::NoCommand { data } => {
-                write!(
-                    f,
-                    "data 0x{data:02X} before any command: look at the D/C pin"
-                )
+                write!(f, "data 0x{data:02X} before any command: check the D/C pin")
             }
             Self::NotModeled { command } => {
-                write!(f, "command 0x{command:02X}, which is not modeled")
+                write!(f, "command 0x{command:02X} is not supported by this model")
             }
             Self::Interrupted {
                 command,
@@ -69,7 +66,7 @@ impl fmt::Display for StreamError {
                 expected,
             } => write!(
                 f,
-                "command 0x{command:02X} has {received} of its {expected} parameters"
+                "command 0x{command:02X} has {received} of {expected} parameters"
             ),
             Self::Reversed {
                 command,
@@ -77,21 +74,21 @@ impl fmt::Display for StreamError {
                 last,
             } => write!(
                 f,
-                "command 0x{command:02X} ends at {last}, before its start {first}"
+                "command 0x{command:02X}: last address {last} is before first address {first}"
             ),
             Self::OutsideOfMemory { last, memory } => write!(
                 f,
-                "pixels up to column {}, row {} of a memory of {} columns, {} rows: set window or orientation right",
+                "window ends at column {}, row {}, outside the memory of {} columns, {} rows: check window and orientation",
                 last.x, last.y, memory.width, memory.height
             ),
             Self::PixelFormat { colmod } => write!(
                 f,
-                "pixels while COLMOD is 0x{colmod:02X}, which is not 16 bits a pixel (0x55)"
+                "pixel data while COLMOD is 0x{colmod:02X}: set 16 bits per pixel (0x55) first"
             ),
             Self::NothingToContinue => {
                 write!(
                     f,
-                    "RAMWRC (0x3C) where no RAMWR (0x2C) has started: send that first"
+                    "RAMWRC (0x3C) without RAMWR (0x2C) in this window: send RAMWR first"
                 )
             }
         }
@@ -100,17 +97,17 @@ impl fmt::Display for StreamError {
 
 impl Error for StreamError {}
 
-/// Why a display shows no picture.
+/// The reason why a display shows no picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum BlankError {
-    /// It sleeps.
+    /// The controller is in sleep mode.
     Asleep,
-    /// It is off.
+    /// The display is switched off.
     Off,
-    /// A pixel was never written, so it shows what the memory had at power-on.
+    /// A visible pixel was never written: the memory is undefined after power-on.
     NeverWritten {
-        /// The first such pixel, as a person sees it.
+        /// Screen position of the first such pixel.
         at: Point,
     },
 }
@@ -118,11 +115,11 @@ pub enum BlankError {
 impl fmt::Display for BlankError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Asleep => write!(f, "the display sleeps: send SLPOUT (0x11)"),
+            Self::Asleep => write!(f, "the display is in sleep mode: send SLPOUT (0x11)"),
             Self::Off => write!(f, "the display is off: send DISPON (0x29)"),
             Self::NeverWritten { at } => write!(
                 f,
-                "the pixel at ({}, {}) was never written: clear the display or draw all of it",
+                "the pixel at ({}, {}) was never written: clear the display first",
                 at.x, at.y
             ),
         }

@@ -1,8 +1,8 @@
-//! What a display shows that is sent a stream of commands and data.
+//! Decodes the SPI traffic of a display driver into the picture on the display.
 //!
-//! Emulators of microcontrollers tell what goes over their SPI, and how the D/C
-//! pin stands meanwhile, but have no display. A [`Controller`] takes these bytes as
-//! an ST7789 or ILI9341 does and gives the [`Picture`] on its [`Panel`]:
+//! Microcontroller emulators report the SPI bytes and the level of the D/C pin, but
+//! have no display. A [`Controller`] executes these bytes as an ST7789 or ILI9341
+//! does and returns the [`Picture`] that its [`Panel`] shows:
 //!
 //! ```
 //! use display_stream::{Byte, Controller, Panel};
@@ -18,9 +18,9 @@
 //! # Ok::<(), Box<dyn core::error::Error>>(())
 //! ```
 //!
-//! It does what the data sheets say of the commands that picture and state depend
-//! on, and is stricter than they are: it refuses what no driver should send.
-//! Commands of the makers (0xB0 and above: voltages, timing, gamma) are ignored.
+//! The model implements every command that the picture depends on, as the data
+//! sheets specify it, and returns an error for traffic that no correct driver sends.
+//! Manufacturer commands (0xB0 and above: voltages, timing, gamma) are ignored.
 
 mod address;
 mod command;

@@ -1,4 +1,4 @@
-//! The memory of a controller, and where the next pixel goes.
+//! Frame memory of a controller and its write cursor.
 
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
@@ -6,7 +6,7 @@ use embedded_graphics_core::primitives::Rectangle;
 use crate::address::AddressOrder;
 use crate::error::StreamError;
 
-/// A range of columns or rows, both ends included.
+/// Range of columns or rows; both ends are included.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Range {
     pub(crate) first: u16,
@@ -22,8 +22,9 @@ impl Range {
     }
 }
 
-/// Where pixels go: from the window's first on, line by line, and from its last
-/// to its first again.
+/// Address of the next pixel in a window.
+///
+/// The cursor moves line by line and returns from the last pixel to the first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Cursor {
     columns: Range,
@@ -33,7 +34,7 @@ pub(crate) struct Cursor {
 }
 
 impl Cursor {
-    /// At the start of a window.
+    /// Creates a cursor at the first pixel of a window.
     pub(crate) fn new(columns: Range, rows: Range) -> Self {
         Self {
             columns,
@@ -43,8 +44,8 @@ impl Cursor {
         }
     }
 
-    /// This pixel's address; goes on to the next.
-    fn next(&mut self) -> Point {
+    /// Returns the current address and moves to the next pixel.
+    fn advance(&mut self) -> Point {
         let at = Point::new(self.column.into(), self.row.into());
         if self.column < self.columns.last {
             self.column += 1;
@@ -63,7 +64,7 @@ impl Cursor {
 #[derive(Clone, Debug)]
 pub(crate) struct Memory {
     size: Size,
-    /// Nothing where nothing was written since power-on.
+    /// Row-major pixels; `None` if not written since power-on.
     pixels: Vec<Option<u16>>,
 }
 
@@ -75,11 +76,11 @@ impl Memory {
         }
     }
 
-    pub(crate) fn at(&self, place: Point) -> Option<u16> {
-        *self.pixels.get(self.index(place)?)?
+    pub(crate) fn get(&self, position: Point) -> Option<u16> {
+        *self.pixels.get(self.index(position)?)?
     }
 
-    /// Writes a pixel where the cursor is, which moves on.
+    /// Writes a pixel at the cursor and advances the cursor.
     pub(crate) fn write(
         &mut self,
         cursor: &mut Cursor,
@@ -91,15 +92,18 @@ impl Memory {
         if !Rectangle::new(Point::zero(), memory).contains(last) {
             return Err(StreamError::OutsideOfMemory { last, memory });
         }
-        let index = self.index(order.place(cursor.next(), self.size));
-        if let Some(place) = index.and_then(|index| self.pixels.get_mut(index)) {
-            *place = Some(pixel);
+        let index = self.index(order.to_memory(cursor.advance(), self.size));
+        if let Some(slot) = index.and_then(|index| self.pixels.get_mut(index)) {
+            *slot = Some(pixel);
         }
         Ok(())
     }
 
-    fn index(&self, place: Point) -> Option<usize> {
-        let (x, y) = (u32::try_from(place.x).ok()?, u32::try_from(place.y).ok()?);
+    fn index(&self, position: Point) -> Option<usize> {
+        let (x, y) = (
+            u32::try_from(position.x).ok()?,
+            u32::try_from(position.y).ok()?,
+        );
         let is_inside = x < self.size.width && y < self.size.height;
         is_inside.then(|| y as usize * self.size.width as usize + x as usize)
     }

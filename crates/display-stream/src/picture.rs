@@ -5,10 +5,10 @@ use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{OriginDimensions, Point, Size};
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
 
-/// What a person sees, line by line from the top left.
+/// Picture on a display, stored line by line from the top left.
 ///
-/// It can be drawn on, too: by the calls that draw on the display, it becomes the
-/// picture that the display should show.
+/// A picture is also a [`DrawTarget`]. Drawing code that runs on both a picture and a
+/// display gives the expected picture to compare with.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Picture {
     size: Size,
@@ -16,12 +16,12 @@ pub struct Picture {
 }
 
 impl Picture {
-    /// A black picture.
+    /// Creates a black picture.
     pub fn new(size: Size) -> Self {
         Self::from_fn(size, |_| Rgb565::BLACK)
     }
 
-    /// A picture of these colors.
+    /// Creates a picture from the color at each point.
     pub(crate) fn from_fn(size: Size, color: impl FnMut(Point) -> Rgb565) -> Self {
         let line = |y| (0..size.width).map(move |x| Point::new(x as i32, y as i32));
         Self {
@@ -30,17 +30,17 @@ impl Picture {
         }
     }
 
-    /// The pixels, line by line.
+    /// Returns the pixels, line by line.
     pub fn pixels(&self) -> &[Rgb565] {
         &self.pixels
     }
 
-    /// The pixel here, if it is in the picture.
+    /// Returns the pixel at `at`; `None` outside the picture.
     pub fn pixel(&self, at: Point) -> Option<Rgb565> {
         self.pixels.get(self.index(at)?).copied()
     }
 
-    /// The first pixel that differs, if the sizes are equal.
+    /// Returns the first pixel that differs from a picture of equal size.
     pub fn first_difference(&self, other: &Self) -> Option<Point> {
         let mut pairs = self.pixels.iter().zip(&other.pixels);
         let index = pairs.position(|(own, other)| own != other)? as u32;

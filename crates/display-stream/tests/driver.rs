@@ -1,4 +1,4 @@
-//! What the driver `mipidsi` draws is seen as it was drawn.
+//! Compares pictures drawn through the `mipidsi` driver with the expected pictures.
 
 #![allow(clippy::unwrap_used)]
 
@@ -15,17 +15,17 @@ use mipidsi::models::{ILI9341Rgb565, Model, ST7789};
 use mipidsi::options::{ColorInversion, ColorOrder, Orientation, Rotation};
 use mipidsi::{Builder, Display, NoResetPin};
 
-/// Wires from the driver to the controller.
-struct Wires(Controller);
+/// Driver interface that passes all bytes to the controller model.
+struct ModelInterface(Controller);
 
-impl Wires {
+impl ModelInterface {
     fn data(&mut self, bytes: impl IntoIterator<Item = u8>) {
         let bytes = bytes.into_iter().map(Byte::Data);
         self.0.receive_all(bytes).unwrap();
     }
 }
 
-impl Interface for Wires {
+impl Interface for ModelInterface {
     type Word = u8;
     type Error = Infallible;
     const KIND: InterfaceKind = InterfaceKind::Serial4Line;
@@ -53,15 +53,15 @@ impl Interface for Wires {
     }
 }
 
-struct NoTime;
+struct NoDelay;
 
-impl DelayNs for NoTime {
+impl DelayNs for NoDelay {
     fn delay_ns(&mut self, _: u32) {}
 }
 
-/// Something without any symmetry: fills, single pixels, and contiguous colors
-/// that reach out of the display.
-fn draw<D: DrawTarget<Color = Rgb565, Error: core::fmt::Debug>>(display: &mut D) {
+/// Draws a picture without symmetry: solid fills, single pixels, and a contiguous area
+/// that exceeds the display.
+fn draw_test_picture<D: DrawTarget<Color = Rgb565, Error: core::fmt::Debug>>(display: &mut D) {
     display.clear(Rgb565::CSS_DARK_SLATE_GRAY).unwrap();
     let (red, blue) = (
         PrimitiveStyle::with_fill(Rgb565::RED),
@@ -84,49 +84,50 @@ fn draw<D: DrawTarget<Color = Rgb565, Error: core::fmt::Debug>>(display: &mut D)
     display.fill_contiguous(&area, colors).unwrap();
 }
 
-fn assert_is_seen_as_drawn<M>(
+fn assert_shows_test_picture<M>(
     panel: Panel,
-    build: impl FnOnce(Builder<Wires, M, NoResetPin>) -> Builder<Wires, M, NoResetPin>,
+    build: impl FnOnce(Builder<ModelInterface, M, NoResetPin>) -> Builder<ModelInterface, M, NoResetPin>,
     model: M,
 ) where
     M: Model<ColorFormat = Rgb565>,
 {
-    let builder = build(Builder::new(model, Wires(Controller::new(panel))));
-    let Ok(mut display): Result<Display<_, M, _>, _> = builder.init(&mut NoTime) else {
-        panic!("the driver refuses this panel")
+    let builder = build(Builder::new(model, ModelInterface(Controller::new(panel))));
+    let Ok(mut display): Result<Display<_, M, _>, _> = builder.init(&mut NoDelay) else {
+        panic!("mipidsi does not support this panel")
     };
     let size = display.size();
-    draw(&mut display);
-    let (Wires(controller), ..) = display.release();
+    draw_test_picture(&mut display);
+    let (ModelInterface(controller), ..) = display.release();
 
     let mut expected = Picture::new(size);
-    draw(&mut expected);
+    draw_test_picture(&mut expected);
     let shown = controller.picture().unwrap();
     assert_eq!(shown.size(), expected.size());
     assert_eq!(shown.first_difference(&expected), None);
 }
 
 #[test]
-fn a_square_st7789() {
+fn shows_a_square_st7789() {
     let build = |builder: Builder<_, _, _>| {
         builder
             .display_size(240, 240)
             .invert_colors(ColorInversion::Inverted)
     };
-    assert_is_seen_as_drawn(Panel::ST7789_240X240, build, ST7789);
+    assert_shows_test_picture(Panel::ST7789_240X240, build, ST7789);
 }
 
 #[test]
-fn an_ili9341_on_its_side() {
-    let lying = Orientation::new().rotate(Rotation::Deg90).flip_vertical();
-    let build = |builder: Builder<_, _, _>| builder.orientation(lying).color_order(ColorOrder::Bgr);
-    assert_is_seen_as_drawn(Panel::ILI9341_320X240, build, ILI9341Rgb565);
+fn shows_an_ili9341_in_landscape() {
+    let landscape = Orientation::new().rotate(Rotation::Deg90).flip_vertical();
+    let build =
+        |builder: Builder<_, _, _>| builder.orientation(landscape).color_order(ColorOrder::Bgr);
+    assert_shows_test_picture(Panel::ILI9341_320X240, build, ILI9341Rgb565);
 }
 
-/// A panel in each way of mounting, a part of its memory shown.
+/// The glass covers a part of the memory, so each orientation has its own offset.
 #[test]
-fn every_orientation() {
-    let upright = Orientation::new();
+fn shows_every_orientation() {
+    let unrotated = Orientation::new();
     let rotations = [
         Rotation::Deg0,
         Rotation::Deg90,
@@ -134,11 +135,14 @@ fn every_orientation() {
         Rotation::Deg270,
     ];
     let madctl = [[0x00, 0x60, 0xC0, 0xA0], [0x40, 0x20, 0x80, 0xE0]];
-    for (orientation, madctl) in [upright, upright.flip_horizontal()].into_iter().zip(madctl) {
-        for (rotation, upright) in rotations.into_iter().zip(madctl) {
+    for (orientation, madctl) in [unrotated, unrotated.flip_horizontal()]
+        .into_iter()
+        .zip(madctl)
+    {
+        for (rotation, madctl) in rotations.into_iter().zip(madctl) {
             let panel = Panel {
                 glass: Rectangle::new(Point::new(20, 50), Size::new(210, 230)),
-                upright,
+                madctl,
                 ..Panel::ST7789_240X240
             };
             let orientation = Orientation {
@@ -151,7 +155,7 @@ fn every_orientation() {
                     .invert_colors(ColorInversion::Inverted)
                     .orientation(orientation)
             };
-            assert_is_seen_as_drawn(panel, build, ST7789);
+            assert_shows_test_picture(panel, build, ST7789);
         }
     }
 }

@@ -1,4 +1,4 @@
-//! What controllers make of streams, byte by byte.
+//! Tests the controller model with hand-written byte streams.
 
 #![allow(clippy::unwrap_used)]
 
@@ -10,7 +10,7 @@ use embedded_graphics_core::primitives::Rectangle;
 const SMALL: Panel = Panel {
     memory: Size::new(4, 3),
     glass: Rectangle::new(Point::zero(), Size::new(4, 3)),
-    upright: 0,
+    madctl: 0,
     is_inverted: false,
 };
 
@@ -24,7 +24,7 @@ fn window(columns: [u8; 2], rows: [u8; 2]) -> Vec<Byte> {
     [caset, command(0x2B, &[0, rows[0], 0, rows[1]])].concat()
 }
 
-/// RAMWR or RAMWRC, with pixels.
+/// A RAMWR or RAMWRC command with pixel data.
 fn pixels(ram: u8, pixels: &[u16]) -> Vec<Byte> {
     let bytes: Vec<u8> = pixels
         .iter()
@@ -33,7 +33,7 @@ fn pixels(ram: u8, pixels: &[u16]) -> Vec<Byte> {
     command(ram, &bytes)
 }
 
-/// A controller that is awake and on, with 16 bits a pixel, its memory zero.
+/// A controller after SLPOUT and DISPON, with 16 bits per pixel and a black memory.
 fn started(panel: Panel) -> Controller {
     let mut controller = Controller::new(panel);
     let black = vec![0; (panel.memory.width * panel.memory.height) as usize];
@@ -70,7 +70,7 @@ fn pixels_fill_the_window_and_wrap() {
 }
 
 #[test]
-fn a_partial_write_leaves_the_rest_as_it_was() {
+fn a_partial_write_keeps_the_other_pixels() {
     let mut controller = started(SMALL);
     controller.receive_all(window([0, 3], [0, 0])).unwrap();
     controller.receive_all(pixels(0x2C, &[1, 2, 3])).unwrap();
@@ -78,7 +78,7 @@ fn a_partial_write_leaves_the_rest_as_it_was() {
 }
 
 #[test]
-fn a_write_starts_anew_in_the_same_window() {
+fn ramwr_restarts_at_the_first_pixel_of_the_window() {
     let mut controller = started(SMALL);
     controller.receive_all(window([2, 3], [0, 1])).unwrap();
     controller.receive_all(pixels(0x2C, &[1, 2, 3])).unwrap();
@@ -87,10 +87,10 @@ fn a_write_starts_anew_in_the_same_window() {
 }
 
 #[test]
-fn commands_between_pixels_do_not_move_them() {
+fn ramwrc_continues_after_other_commands() {
     let mut controller = started(SMALL);
     controller.receive_all(pixels(0x2C, &[1])).unwrap();
-    // NOP, and a command of the maker with parameters that are no pixels.
+    // NOP, then a manufacturer command whose parameters must not become pixels.
     controller.receive_all(command(0x00, &[])).unwrap();
     controller
         .receive_all(command(0xB2, &[0xC, 0xC, 0, 0x33, 0x33]))
@@ -100,7 +100,7 @@ fn commands_between_pixels_do_not_move_them() {
 }
 
 #[test]
-fn half_a_pixel_is_lost_at_a_command() {
+fn a_command_discards_an_incomplete_pixel() {
     let mut controller = started(SMALL);
     controller.receive_all(pixels(0x2C, &[1])).unwrap();
     controller.receive_all(command(0x3C, &[0xAB])).unwrap();
@@ -109,7 +109,7 @@ fn half_a_pixel_is_lost_at_a_command() {
 }
 
 #[test]
-fn parameters_past_the_last_are_ignored() {
+fn excess_parameters_are_ignored() {
     let mut controller = started(SMALL);
     controller
         .receive_all(command(0x2A, &[0, 1, 0, 1, 9, 9, 9]))
@@ -119,7 +119,7 @@ fn parameters_past_the_last_are_ignored() {
 }
 
 #[test]
-fn the_glass_is_a_part_of_the_memory() {
+fn shows_only_the_memory_behind_the_glass() {
     let glass = Rectangle::new(Point::new(1, 1), Size::new(2, 2));
     let mut controller = started(Panel { glass, ..SMALL });
     let all: Vec<u16> = (0..12).collect();
@@ -128,10 +128,10 @@ fn the_glass_is_a_part_of_the_memory() {
 }
 
 #[test]
-fn orientation_acts_when_pixels_are_written() {
+fn orientation_applies_to_pixels_written_later() {
     let mut controller = started(SMALL);
     controller.receive_all(command(0x36, &[0x60])).unwrap();
-    // Three columns, four rows; the first line runs down the right edge.
+    // Three columns and four rows; the first line is the right edge of the panel.
     controller.receive_all(window([0, 2], [0, 3])).unwrap();
     controller.receive_all(pixels(0x2C, &[1, 2, 3, 4])).unwrap();
     assert_shows(&controller, &[0, 0, 4, 1, 0, 0, 0, 2, 0, 0, 0, 3]);
@@ -140,7 +140,7 @@ fn orientation_acts_when_pixels_are_written() {
 }
 
 #[test]
-fn colors_are_wrong_on_a_panel_that_is_built_otherwise() {
+fn wrong_color_order_and_inversion_are_visible() {
     let red = Rgb565::RED.into_storage();
     let shown = |panel: Panel, madctl: u8, inversion: u8| {
         let mut controller = started(panel);
@@ -150,10 +150,7 @@ fn colors_are_wrong_on_a_panel_that_is_built_otherwise() {
         controller.picture().unwrap().pixels()[0]
     };
     let (bgr, negative) = (
-        Panel {
-            upright: 8,
-            ..SMALL
-        },
+        Panel { madctl: 8, ..SMALL },
         Panel {
             is_inverted: true,
             ..SMALL
@@ -168,7 +165,7 @@ fn colors_are_wrong_on_a_panel_that_is_built_otherwise() {
 }
 
 #[test]
-fn a_display_shows_nothing_that_sleeps_or_is_off_or_unwritten() {
+fn reports_why_a_display_is_blank() {
     let mut controller = Controller::new(SMALL);
     assert_eq!(controller.picture(), Err(BlankError::Asleep));
     controller.receive_all(command(0x11, &[])).unwrap();
@@ -188,7 +185,7 @@ fn a_display_shows_nothing_that_sleeps_or_is_off_or_unwritten() {
 }
 
 #[test]
-fn a_reset_brings_back_all_but_the_pixels() {
+fn swreset_resets_everything_except_the_pixels() {
     let mut controller = started(SMALL);
     controller.receive_all(command(0x36, &[0xE8])).unwrap();
     controller.receive_all(command(0x21, &[])).unwrap();
@@ -211,7 +208,7 @@ fn a_reset_brings_back_all_but_the_pixels() {
 }
 
 #[test]
-fn errors_say_what_is_wrong() {
+fn reports_invalid_streams() {
     let wrong = |bytes: Vec<Byte>| {
         let error = started(SMALL).receive_all(bytes).unwrap_err();
         (error, error.to_string())
@@ -221,23 +218,26 @@ fn errors_say_what_is_wrong() {
 
     let (error, text) = wrong(command(0x37, &[0, 1]));
     assert_eq!(error, StreamError::NotModeled { command: 0x37 });
-    assert_eq!(text, "command 0x37, which is not modeled");
+    assert_eq!(text, "command 0x37 is not supported by this model");
 
     let (_, text) = wrong([command(0x2A, &[0, 1]), command(0x2C, &[])].concat());
-    assert_eq!(text, "command 0x2A has 2 of its 4 parameters");
+    assert_eq!(text, "command 0x2A has 2 of 4 parameters");
 
     let (_, text) = wrong(command(0x2B, &[0, 2, 0, 1]));
-    assert_eq!(text, "command 0x2B ends at 1, before its start 2");
+    assert_eq!(
+        text,
+        "command 0x2B: last address 1 is before first address 2"
+    );
 
     let (error, _) = wrong([window([0, 3], [0, 3]), pixels(0x2C, &[1])].concat());
     let (last, memory) = (Point::new(3, 3), Size::new(4, 3));
     assert_eq!(error, StreamError::OutsideOfMemory { last, memory });
 
-    // The last row is in the memory, but not when it lies on its side.
-    let lying = [command(0x36, &[0x20]), pixels(0x2C, &[1])].concat();
+    // Column 3 is inside a memory of 4x3 pixels, but outside with swapped axes.
+    let landscape = [command(0x36, &[0x20]), pixels(0x2C, &[1])].concat();
     let (last, memory) = (Point::new(3, 2), Size::new(3, 4));
     assert_eq!(
-        wrong(lying).0,
+        wrong(landscape).0,
         StreamError::OutsideOfMemory { last, memory }
     );
 
@@ -246,9 +246,9 @@ fn errors_say_what_is_wrong() {
 }
 
 #[test]
-fn no_stream_panics() {
+fn random_streams_do_not_panic() {
     let mut random = fastrand::Rng::with_seed(1);
-    // Mostly commands that are known.
+    // Known commands, so that random streams reach most states.
     let known = [
         0x01, 0x11, 0x20, 0x21, 0x29, 0x2A, 0x2B, 0x2C, 0x36, 0x3A, 0x3C,
     ];

@@ -1,14 +1,20 @@
-//! By halves of 16 bits, the upper ones signed where the number is:
-//! `a b = ah bh 2^32 + (al bh + ah bl) 2^16 + al bl`.
+//! Implementation in assembly for Armv6-M.
 //!
-//! The four products of halves fit 32 bits. Squares are inlined; the others are
-//! calls that leave every register but the named ones alone, which takes two
-//! instructions more than inlining them and far less flash.
+//! Full products are computed from 16-bit halves:
+//! `a * b = ah * bh * 2^32 + (al * bh + ah * bl) * 2^16 + al * bl`.
+//! The upper halves `ah` and `bh` are signed if the factor is signed. Each product of
+//! halves fits 32 bits.
+//!
+//! Squares are inlined. The other products are calls with a custom convention that
+//! changes only the registers named at the call. A call takes two instructions more than
+//! inlined code, and much less flash.
 
 use core::arch::{asm, naked_asm};
 
-/// A function that multiplies r0 by r1 into r1:r0, with the shifts that split
-/// off the upper halves.
+/// Defines a function that multiplies r0 by r1 and returns the product in r1:r0.
+///
+/// The shifts that extract the upper halves are `asrs` for a signed factor and `lsrs` for
+/// an unsigned factor.
 macro_rules! routine {
     ($name:ident, $shift_a:literal, $shift_b:literal) => {
         #[unsafe(naked)]
@@ -37,12 +43,12 @@ macro_rules! routine {
     };
 }
 
-/// Calls a routine and gives both words of the product.
+/// Calls a product routine and returns the lower and the upper word.
 macro_rules! call {
     ($routine:ident, $a:ident, $b:ident) => {{
         let (low, high);
-        // SAFETY: the routine changes the named registers alone, and takes no
-        // memory. The linker may go by r12, and by the stack, to one far away.
+        // SAFETY: the routine changes only the named registers and accesses no memory. A
+        // linker veneer for a far call may use r12 and the stack.
         unsafe {
             asm!(
                 "bl {routine}",
@@ -83,11 +89,11 @@ pub(crate) fn mixed(a: i32, b: u32) -> i64 {
     i64::from(high) << 32 | i64::from(low)
 }
 
-/// Defines an instruction that multiplies a register by r4 and r3, the lower and the upper
-/// half of a number, into bits 32 - `up` and up of the product, rounded half up; r7 is 0.
+/// Defines the assembler macro `multiply x`: `x = x * b / 2^(32 - up)`, rounded half up.
 ///
-/// Halves are signed, the lower ones too: so all but the product of the upper ones,
-/// `(al bl) / 2^16 + al bh + ah bl`, fits 32 bits. What a shift leaves in the carry rounds.
+/// The lower half of `b` is in r4, the upper half is in r3, and r7 is 0. Both halves of a
+/// number are signed, so `al * bl / 2^16 + al * bh + ah * bl` fits 32 bits. Each right
+/// shift leaves the rounding bit in the carry flag.
 macro_rules! define_multiply {
     () => {
         r"
@@ -113,7 +119,7 @@ macro_rules! define_multiply {
     };
 }
 
-/// Splits r3 for it.
+/// Splits r3 into signed halves r4 and r3 and clears r7, as `multiply` expects.
 macro_rules! split {
     () => {
         "
@@ -124,7 +130,7 @@ macro_rules! split {
     };
 }
 
-/// Multiplies r0 by r3.
+/// Multiplies r0 by r3 and divides by `2^(32 - UP)`, rounded half up.
 #[unsafe(naked)]
 extern "C" fn scale_one<const UP: u32>() {
     naked_asm!(
@@ -139,7 +145,7 @@ extern "C" fn scale_one<const UP: u32>() {
     )
 }
 
-/// Multiplies each of r0, r1 and r2 by r3.
+/// Multiplies each of r0, r1 and r2 by r3 and divides by `2^(32 - UP)`, rounded half up.
 #[unsafe(naked)]
 extern "C" fn scale<const UP: u32>() {
     naked_asm!(
@@ -156,7 +162,9 @@ extern "C" fn scale<const UP: u32>() {
     )
 }
 
-/// The same, and adds what each was: r3 is meant to be larger by 2^32.
+/// Multiplies each of r0, r1 and r2 by `r3 + 2^32` and divides by 2^32, rounded half up.
+///
+/// The routine multiplies by the signed value in r3, then adds the original register.
 #[unsafe(naked)]
 extern "C" fn reduce() {
     naked_asm!(
@@ -179,12 +187,12 @@ extern "C" fn reduce() {
     )
 }
 
-/// Calls a routine for vectors.
+/// Calls a vector routine: components in r0 to r2, factor in r3.
 macro_rules! call_vector {
     ($routine:path, $v:ident, $by:expr) => {{
         let [mut x, mut y, mut z] = $v;
-        // SAFETY: the routine changes the named registers alone, and takes no memory but
-        // the stack. The linker may go by r12 to one far away.
+        // SAFETY: the routine changes only the named registers and accesses no memory
+        // except its stack frame. A linker veneer for a far call may use r12.
         unsafe {
             asm!(
                 "bl {routine}",
@@ -206,7 +214,8 @@ macro_rules! call_vector {
 
 #[inline(always)]
 pub(crate) fn upper(mut a: i32, b: i32) -> i32 {
-    // SAFETY: as for vectors.
+    // SAFETY: the routine changes only the named registers and accesses no memory except
+    // its stack frame. A linker veneer for a far call may use r12.
     unsafe {
         asm!(
             "bl {routine}",
@@ -246,7 +255,7 @@ pub(crate) fn by_16_bits(a: u32, b: i32) -> i32 {
 
 #[inline(always)]
 pub(crate) fn by_17_bits(a: u32, b: u32) -> u32 {
-    // Each is below 2^32, and so is their sum, as `b` is.
+    // `a * low` fits 32 bits, and the sum is at most `b`, so nothing overflows.
     let (low, high) = (b & 0xffff, b >> 16);
     (a.wrapping_mul(low) >> 16).wrapping_add(a.wrapping_mul(high)) >> 1
 }
@@ -273,7 +282,7 @@ pub(crate) fn square_of_21_bits(a: u32) -> u32 {
 #[inline(always)]
 pub(crate) fn square(a: i32) -> i64 {
     let (low, high): (u32, i32);
-    // SAFETY: changes the named registers alone.
+    // SAFETY: the code changes only the named registers and accesses no memory.
     unsafe {
         asm!(
             "uxth {middle}, {a}",
@@ -296,7 +305,8 @@ pub(crate) fn square(a: i32) -> i64 {
     i64::from(high) << 32 | i64::from(low)
 }
 
-/// By bytes, and a table for the first that is not 0.
+/// Counts the leading zeros of r0: finds the highest nonzero byte, then reads a table of
+/// 256 entries.
 #[unsafe(naked)]
 extern "C" fn count_leading_zeros() {
     naked_asm!(
@@ -336,7 +346,8 @@ extern "C" fn count_leading_zeros() {
 #[inline(always)]
 pub(crate) fn leading_zeros(x: u32) -> u32 {
     let zeros;
-    // SAFETY: as for products; memory is read, but nothing that changes.
+    // SAFETY: the routine changes only the named registers and reads only its constant
+    // table. A linker veneer for a far call may use r12 and the stack.
     unsafe {
         asm!(
             "bl {routine}",
@@ -355,11 +366,11 @@ pub(crate) fn leading_zeros(x: u32) -> u32 {
 #[inline(always)]
 pub(crate) fn rounded<const SHIFT: u32>(x: i64) -> i32 {
     let result;
-    // SAFETY: changes the named registers alone.
+    // SAFETY: the code changes only the named registers and accesses no memory.
     unsafe {
         asm!(
             "lsls {high}, {high}, #{up}",
-            "lsrs {low}, {low}, #{down}", // the carry rounds
+            "lsrs {low}, {low}, #{down}", // carry: the rounding bit
             "adcs {low}, {low}, {high}",
             low = inout(reg) x as i32 => result,
             high = inout(reg) (x >> 32) as i32 => _,

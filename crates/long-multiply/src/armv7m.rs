@@ -1,12 +1,15 @@
-//! What a shift leaves in the carry rounds: the compiler adds half a step to both words,
-//! and needs twice as many instructions.
+//! Rounding shift for Armv7-M and Armv8-M mainline.
+//!
+//! A right shift leaves the last bit that it shifts out in the carry flag. Adding the
+//! carry rounds half up, in 2 instructions. The compiler adds half a unit to the 64-bit
+//! value first and needs 4.
 
 use core::arch::asm;
 
 #[inline(always)]
 pub(crate) fn rounded<const SHIFT: u32>(x: i64) -> i32 {
     let result;
-    // SAFETY: changes the named register alone.
+    // SAFETY: the code changes only the named registers and accesses no memory.
     unsafe {
         asm!(
             "lsrs {low}, {low}, #{down}",

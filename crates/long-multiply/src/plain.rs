@@ -1,3 +1,5 @@
+//! Implementation in plain Rust, for all targets except Armv6-M.
+
 #[inline(always)]
 pub(crate) fn signed(a: i32, b: i32) -> i64 {
     i64::from(a) * i64::from(b)
@@ -30,7 +32,8 @@ pub(crate) fn scaled<const SHIFT: u32>(v: [i32; 3], by: i32) -> [i32; 3] {
 
 #[inline(always)]
 pub(crate) fn reduced(v: [i32; 3], by: u32) -> [i32; 3] {
-    // Less 2^32 it fits a signed word, for which chips have a multiply.
+    // `by - 2^32` fits an i32, so the product is a signed 32x32-bit multiplication.
+    // Adding the component corrects the result.
     v.map(|c| c.wrapping_add(((signed(c, by as i32) + (1 << 31)) >> 32) as i32))
 }
 

@@ -1,5 +1,5 @@
 #![no_std]
-//! Text on a display, for what firmware has to say when it cannot draw.
+//! Writes an error message on a display, for firmware that cannot draw its scene.
 
 use core::fmt;
 
@@ -10,11 +10,12 @@ use embedded_graphics::{
     text::{Baseline, Text},
 };
 
-/// Clears a display and writes on it, white on black: from the top, broken
-/// between words.
+/// Clears the display and writes `text` in white on black, from the top left.
+///
+/// Lines wrap between words.
 ///
 /// # Errors
-/// That the display failed.
+/// Returns an error if the display fails.
 pub fn write<D>(display: &mut D, font: &MonoFont<'_>, text: impl fmt::Display) -> fmt::Result
 where
     D: DrawTarget + OriginDimensions,
@@ -44,6 +45,7 @@ where
     D: DrawTarget + OriginDimensions,
     D::Color: From<BinaryColor>,
 {
+    /// Writes a word, on a new line if the current line is too short.
     fn word(&mut self, word: &str) -> Result<(), D::Error> {
         let Size { width, height } = self.font.character_size;
         let white = BinaryColor::On.into();
@@ -79,20 +81,20 @@ mod tests {
     use embedded_graphics::mono_font::ascii::FONT_6X9;
 
     #[test]
-    fn lines_are_broken_between_words() -> fmt::Result {
-        let (mut broken, mut lines) = (MockDisplay::new(), MockDisplay::new());
-        for display in [&mut broken, &mut lines] {
+    fn wraps_lines_between_words() -> fmt::Result {
+        let (mut wrapped, mut expected) = (MockDisplay::new(), MockDisplay::new());
+        for display in [&mut wrapped, &mut expected] {
             display.set_allow_overdraw(true);
         }
-        // Ten characters a line.
-        write(&mut broken, &FONT_6X9, format_args!("no scene {}", 123))?;
-        let Ok(()) = lines.clear(BinaryColor::Off);
+        // The mock display of 64 pixels fits ten characters per line.
+        write(&mut wrapped, &FONT_6X9, format_args!("no scene {}", 123))?;
+        let Ok(()) = expected.clear(BinaryColor::Off);
         let style = MonoTextStyle::new(&FONT_6X9, BinaryColor::On);
         for (y, line) in [(0, "no scene "), (9, "123")] {
             let at = Point::new(0, y);
-            let Ok(_) = Text::with_baseline(line, at, style, Baseline::Top).draw(&mut lines);
+            let Ok(_) = Text::with_baseline(line, at, style, Baseline::Top).draw(&mut expected);
         }
-        broken.assert_eq(&lines);
+        wrapped.assert_eq(&expected);
         Ok(())
     }
 }

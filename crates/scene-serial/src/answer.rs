@@ -1,23 +1,23 @@
 use core::fmt;
 
-/// What a board answers, as a line of text.
+/// Reply of the board to a transfer, formatted as a line of text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Answer<W> {
-    /// The scene with this ticket is shown.
+    /// The board draws the scene.
     Shown {
-        /// Of the scene.
+        /// Ticket of the scene.
         ticket: u16,
     },
-    /// The scene with this ticket arrived as it was sent, but cannot be drawn.
+    /// The transfer succeeded, but the board cannot draw the scene.
     Refused {
-        /// Of the scene.
+        /// Ticket of the scene.
         ticket: u16,
-        /// In words.
+        /// Reason, as text.
         why: W,
     },
-    /// What arrived was no message.
+    /// The transfer failed.
     Broken {
-        /// In words.
+        /// Reason, as text.
         why: W,
     },
 }
@@ -33,7 +33,7 @@ impl<W: fmt::Display> fmt::Display for Answer<W> {
 }
 
 impl<'l> Answer<&'l str> {
-    /// Reads a line, without its end; nothing if it is no answer.
+    /// Parses a line without its line end. Returns `None` if it is not an answer.
     pub fn parse(line: &'l str) -> Option<Self> {
         let ticket = |digits| u16::from_str_radix(digits, 16).ok();
         let (head, why) = match line.split_once(": ") {

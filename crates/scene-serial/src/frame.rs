@@ -1,32 +1,34 @@
 use cobs::CobsEncoder;
 use whitted::codec::Crc32;
 
-/// What a frame has beside the scene: the ticket and the checksum.
-pub(crate) const EXTRA: usize = size_of::<u16>() + size_of::<u32>();
+/// Bytes of ticket and checksum in a frame.
+pub(crate) const OVERHEAD: usize = size_of::<u16>() + size_of::<u32>();
 
-/// How many bytes a frame needs at most, with a scene of so many.
-pub const fn frame_len(scene: usize) -> usize {
-    const SENTINELS: usize = 2;
-    SENTINELS + cobs::max_encoding_length(scene + EXTRA)
+/// Returns the largest length of a frame, in bytes, for a scene of `scene_len` bytes.
+pub const fn frame_len(scene_len: usize) -> usize {
+    const DELIMITERS: usize = 2;
+    DELIMITERS + cobs::max_encoding_length(scene_len + OVERHEAD)
 }
 
-/// Writes the frame of a scene, and returns it; nothing if there is no room for
-/// [`frame_len`] bytes.
-pub fn frame<'f>(ticket: u16, scene: &[u8], room: &'f mut [u8]) -> Option<&'f [u8]> {
-    let room = room.get_mut(..frame_len(scene.len()))?;
+/// Encodes a scene as a frame in `buffer` and returns the frame.
+///
+/// Returns `None` if `buffer` is shorter than [`frame_len`] bytes.
+pub fn frame<'f>(ticket: u16, scene: &[u8], buffer: &'f mut [u8]) -> Option<&'f [u8]> {
+    let buffer = buffer.get_mut(..frame_len(scene.len()))?;
     let ticket = ticket.to_le_bytes();
     let checksum = checksum(&[&ticket, scene]).to_le_bytes();
 
-    *room.first_mut()? = 0;
-    let mut encoder = CobsEncoder::new(room.get_mut(1..)?);
+    *buffer.first_mut()? = 0;
+    let mut encoder = CobsEncoder::new(buffer.get_mut(1..)?);
     for part in [&ticket[..], scene, &checksum] {
         encoder.push(part).ok()?;
     }
     let end = 1 + encoder.finalize();
-    *room.get_mut(end)? = 0;
-    room.get(..=end)
+    *buffer.get_mut(end)? = 0;
+    buffer.get(..=end)
 }
 
+/// Returns the CRC-32 of the concatenated parts.
 pub(crate) fn checksum(parts: &[&[u8]]) -> u32 {
     let mut crc = Crc32::new();
     parts.iter().for_each(|part| crc.update(part));

@@ -1,17 +1,18 @@
 #![no_std]
-//! Compiled scenes over a serial line, and what boards answer.
+//! Protocol that sends compiled scenes to a board over a serial line.
 //!
-//! A scene travels as a [`frame`], which a [`Receiver`] on the board takes byte by
-//! byte; an [`Answer`] comes back as a line of text:
+//! The host sends a scene as a [`frame`]. A [`Receiver`] on the board decodes the
+//! frame byte by byte. The board replies with an [`Answer`], a line of text. The
+//! frame format is:
 //!
 //! ```text
 //! 0  COBS(ticket: u16  scene  CRC-32 of both)  0
 //! ```
 //!
-//! Integers are little-endian. [COBS](cobs) leaves no zero inside of a frame, so
-//! whatever was lost or added before it, a frame begins at its first zero. The
-//! ticket is a number of the host's, by which it knows the answer from one to
-//! somebody before it.
+//! Integers are little-endian. [COBS](cobs) removes all zeros from the payload, so a
+//! zero always separates frames and the receiver resynchronizes after lost or extra
+//! bytes. The host chooses the ticket number; the answer repeats it, so the host can
+//! ignore answers to earlier transfers.
 //!
 //! ```
 //! use scene_serial::{Answer, Receiver, frame, frame_len};
@@ -35,4 +36,4 @@ mod receiver;
 
 pub use answer::Answer;
 pub use frame::{frame, frame_len};
-pub use receiver::{Broken, Message, Receiver};
+pub use receiver::{Message, ReceiveError, Receiver};

@@ -5,70 +5,73 @@ use heapless::Vec;
 
 use crate::frame::checksum;
 
-/// Takes frames byte by byte, with room for so many bytes: those of a scene and 6 more.
+/// Decodes frames byte by byte into a buffer of `CAPACITY` bytes.
 ///
-/// It does nothing else: no time, no wires.
+/// A scene may have up to `CAPACITY - 6` bytes: the rest is ticket and checksum. The
+/// receiver has no timer; the caller detects stalled transfers and calls
+/// [`forget`](Self::forget).
 #[derive(Debug)]
-pub struct Receiver<const ROOM: usize> {
+pub struct Receiver<const CAPACITY: usize> {
     decoder: DecoderState,
-    bytes: Vec<u8, ROOM>,
+    bytes: Vec<u8, CAPACITY>,
     progress: Progress,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Progress {
-    /// Nothing came after the last end of a frame.
+    /// No byte since the last frame.
     Waiting,
+    /// Inside a frame.
     Receiving,
-    /// Longer than there is room for: left out up to its end.
+    /// Inside a frame that exceeds the capacity; the rest of it is dropped.
     TooLong,
-    /// The bytes are a message.
+    /// The buffer holds a complete message.
     Received,
 }
 
-/// A scene that arrived.
+/// A received scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Message<'m> {
-    /// The host's, to be sent back with the answer.
+    /// Ticket of the host, to be repeated in the answer.
     pub ticket: u16,
-    /// As it was compiled; whether it is a scene is not known yet.
+    /// Compiled scene. The checksum is correct, but the content is not validated.
     pub scene: &'m [u8],
 }
 
-/// Why what was received is no message.
+/// The reason why a transfer failed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Broken {
-    /// Bytes were changed, lost or added, or are of something else.
+pub enum ReceiveError {
+    /// Bytes were changed, lost or added, or the data is not a frame.
     Damaged,
-    /// Longer than there is room for.
+    /// The scene exceeds the capacity of the receiver.
     TooLong {
-        /// The most bytes that a scene may have.
-        most: usize,
+        /// Largest accepted length of a scene, in bytes.
+        max_len: usize,
     },
-    /// It did not go on.
+    /// The transfer stopped before the end of the frame.
     Stalled,
 }
 
-impl fmt::Display for Broken {
+impl fmt::Display for ReceiveError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Damaged => f.write_str("damaged on its way"),
-            Self::TooLong { most } => write!(f, "longer than the {most} bytes there is room for"),
-            Self::Stalled => f.write_str("it did not go on"),
+            Self::Damaged => f.write_str("data damaged in transit"),
+            Self::TooLong { max_len } => write!(f, "scene exceeds the limit of {max_len} bytes"),
+            Self::Stalled => f.write_str("transfer stopped before the end"),
         }
     }
 }
 
-impl core::error::Error for Broken {}
+impl core::error::Error for ReceiveError {}
 
-impl<const ROOM: usize> Default for Receiver<ROOM> {
+impl<const CAPACITY: usize> Default for Receiver<CAPACITY> {
     fn default() -> Self {
         Self::new()
     }
 }
 
-impl<const ROOM: usize> Receiver<ROOM> {
-    /// Nothing received yet.
+impl<const CAPACITY: usize> Receiver<CAPACITY> {
+    /// Creates an empty receiver.
     pub const fn new() -> Self {
         Self {
             decoder: DecoderState::Idle,
@@ -77,10 +80,11 @@ impl<const ROOM: usize> Receiver<ROOM> {
         }
     }
 
-    /// Takes a byte; says what came to its end with it: a message, or something broken.
+    /// Processes a byte. Returns a result if the byte ends a frame.
     ///
-    /// While there is a message, nothing else is received.
-    pub fn receive(&mut self, byte: u8) -> Option<Result<(), Broken>> {
+    /// Bytes are ignored while the receiver holds a message. Call
+    /// [`forget`](Self::forget) to receive the next frame.
+    pub fn receive(&mut self, byte: u8) -> Option<Result<(), ReceiveError>> {
         if self.progress == Progress::Received {
             return None;
         }
@@ -98,52 +102,55 @@ impl<const ROOM: usize> Receiver<ROOM> {
                 None
             }
             Ok(DecodeResult::DataComplete) => Some(self.end()),
-            Err(_) => Some(Err(self.broken(Broken::Damaged))),
+            Err(_) => Some(Err(self.reset(ReceiveError::Damaged))),
         }
     }
 
-    /// The message, if there is one.
+    /// Returns the received message, if there is one.
     pub fn message(&self) -> Option<Message<'_>> {
-        let is_there = self.progress == Progress::Received;
+        let is_complete = self.progress == Progress::Received;
         self.parts()
-            .filter(|_| is_there)
+            .filter(|_| is_complete)
             .map(|(message, _)| message)
     }
 
-    /// Forgets what there is: a message; or a part of one, and then says so.
-    pub fn forget(&mut self) -> Option<Broken> {
-        let is_part = matches!(self.progress, Progress::Receiving | Progress::TooLong);
+    /// Discards the message or the incomplete frame in the buffer.
+    ///
+    /// Returns an error if a frame was incomplete.
+    pub fn forget(&mut self) -> Option<ReceiveError> {
+        let is_incomplete = matches!(self.progress, Progress::Receiving | Progress::TooLong);
         self.decoder = DecoderState::Idle;
-        let broken = self.broken(Broken::Stalled);
-        is_part.then_some(broken)
+        let error = self.reset(ReceiveError::Stalled);
+        is_incomplete.then_some(error)
     }
 
-    fn end(&mut self) -> Result<(), Broken> {
-        let is_right = self.parts().is_some_and(|(message, sum)| {
+    /// Checks the checksum of a complete frame.
+    fn end(&mut self) -> Result<(), ReceiveError> {
+        let is_valid = self.parts().is_some_and(|(message, sum)| {
             checksum(&[&message.ticket.to_le_bytes(), message.scene]) == sum
         });
-        if is_right && self.progress == Progress::Receiving {
+        if is_valid && self.progress == Progress::Receiving {
             self.progress = Progress::Received;
             Ok(())
         } else {
-            Err(self.broken(Broken::Damaged))
+            Err(self.reset(ReceiveError::Damaged))
         }
     }
 
-    /// Forgets what was received, and says why.
-    fn broken(&mut self, why: Broken) -> Broken {
+    /// Clears the buffer and returns `error`, or `TooLong` if the frame was too long.
+    fn reset(&mut self, error: ReceiveError) -> ReceiveError {
         let was_too_long = self.progress == Progress::TooLong;
         self.bytes.clear();
         self.progress = Progress::Waiting;
         match was_too_long {
-            true => Broken::TooLong {
-                most: ROOM.saturating_sub(crate::frame::EXTRA),
+            true => ReceiveError::TooLong {
+                max_len: CAPACITY.saturating_sub(crate::frame::OVERHEAD),
             },
-            false => why,
+            false => error,
         }
     }
 
-    /// A message and its checksum, right or wrong.
+    /// Splits the buffer into the message and its checksum, which may be wrong.
     fn parts(&self) -> Option<(Message<'_>, u32)> {
         let (ticket, rest) = self.bytes.split_first_chunk()?;
         let (scene, checksum) = rest.split_last_chunk()?;

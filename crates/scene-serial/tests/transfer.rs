@@ -1,49 +1,49 @@
-//! Frames that arrive, and frames that do not.
+//! Tests transfers: intact, damaged, incomplete and too long.
 
 #![allow(clippy::unwrap_used)]
 
 use fastrand::Rng;
-use scene_serial::{Answer, Broken, Message, Receiver, frame, frame_len};
+use scene_serial::{Answer, Message, ReceiveError, Receiver, frame, frame_len};
 
-/// Room for 300 bytes of a scene.
-const ROOM: usize = 306;
-const MOST: usize = 300;
+/// Buffer size: a scene of `MAX_LEN` bytes, ticket and checksum.
+const CAPACITY: usize = MAX_LEN + 6;
+const MAX_LEN: usize = 300;
 
 const TICKET: u16 = 0xA05F;
 
-fn framed(scene: &[u8]) -> Vec<u8> {
-    let mut room = vec![0xEE; frame_len(scene.len())];
-    frame(TICKET, scene, &mut room).unwrap().to_vec()
+fn encode_frame(scene: &[u8]) -> Vec<u8> {
+    let mut buffer = vec![0xEE; frame_len(scene.len())];
+    frame(TICKET, scene, &mut buffer).unwrap().to_vec()
 }
 
-/// What came to its end while these bytes were received.
-fn received(receiver: &mut Receiver<ROOM>, bytes: &[u8]) -> Vec<Result<(), Broken>> {
+/// Feeds bytes to the receiver and returns the result of each frame that ended.
+fn receive_all(receiver: &mut Receiver<CAPACITY>, bytes: &[u8]) -> Vec<Result<(), ReceiveError>> {
     bytes
         .iter()
         .filter_map(|byte| receiver.receive(*byte))
         .collect()
 }
 
-/// A scene of random bytes, many of which are zero.
+/// Returns random bytes, about a third of which are zero.
 fn random_scene(random: &mut Rng, length: usize) -> Vec<u8> {
     let mut byte = || random.u8(..) & random.u8(..) & random.u8(..);
     (0..length).map(|_| byte()).collect()
 }
 
-fn assert_arrives(receiver: &mut Receiver<ROOM>, scene: &[u8]) {
-    assert_eq!(received(receiver, &framed(scene)), [Ok(())]);
+fn assert_arrives(receiver: &mut Receiver<CAPACITY>, scene: &[u8]) {
+    assert_eq!(receive_all(receiver, &encode_frame(scene)), [Ok(())]);
     let ticket = TICKET;
     assert_eq!(receiver.message(), Some(Message { ticket, scene }));
-    // It is no part of anything.
+    // `forget` reports no incomplete frame after a complete message.
     assert_eq!(receiver.forget(), None);
     assert_eq!(receiver.message(), None);
 }
 
 #[test]
-fn scenes_of_every_length_arrive() {
+fn receives_scenes_of_every_length() {
     let mut random = Rng::with_seed(1);
     let mut receiver = Receiver::new();
-    for length in 0..=MOST {
+    for length in 0..=MAX_LEN {
         assert_arrives(&mut receiver, &random_scene(&mut random, length));
         assert_arrives(&mut receiver, &vec![0; length]);
         assert_arrives(&mut receiver, &vec![0xFF; length]);
@@ -51,35 +51,36 @@ fn scenes_of_every_length_arrive() {
 }
 
 #[test]
-fn no_flipped_bit_arrives_and_the_next_frame_does() {
+fn detects_every_flipped_bit_and_receives_the_next_frame() {
     let mut random = Rng::with_seed(2);
-    let scene = random_scene(&mut random, MOST);
-    let whole = framed(&scene);
+    let scene = random_scene(&mut random, MAX_LEN);
+    let whole = encode_frame(&scene);
     for bit in 0..8 * whole.len() {
         let mut receiver = Receiver::new();
         let mut flipped = whole.clone();
         flipped[bit / 8] ^= 1 << (bit % 8);
-        let outcomes = received(&mut receiver, &flipped);
-        // A first zero that is none starts a frame of its own, of one byte too many.
+        let outcomes = receive_all(&mut receiver, &flipped);
+        // A flipped bit may also start or end a frame early.
         assert!(!outcomes.contains(&Ok(())), "bit {bit}");
         assert_eq!(receiver.message(), None, "bit {bit}");
-        let after = received(&mut receiver, &whole);
+        let after = receive_all(&mut receiver, &whole);
         assert_eq!(after.last(), Some(&Ok(())), "bit {bit}");
     }
 }
 
 #[test]
-fn nothing_that_is_cut_arrives_and_the_next_frame_does() {
-    // But for its last zero, in whose place is the first of the next.
+fn detects_truncated_frames_and_receives_the_next_frame() {
+    // A frame without its final zero is not truncated: the first zero of the next frame
+    // ends it.
     let scene = random_scene(&mut Rng::with_seed(3), 40);
-    let whole = framed(&scene);
+    let whole = encode_frame(&scene);
     for length in 0..whole.len() - 1 {
         let mut receiver = Receiver::new();
-        assert_eq!(received(&mut receiver, &whole[..length]), []);
+        assert_eq!(receive_all(&mut receiver, &whole[..length]), []);
         assert_eq!(receiver.message(), None);
-        let after = received(&mut receiver, &whole);
-        let broken = (length > 1).then_some(Err(Broken::Damaged));
-        let expected: Vec<_> = broken.into_iter().chain([Ok(())]).collect();
+        let after = receive_all(&mut receiver, &whole);
+        let error = (length > 1).then_some(Err(ReceiveError::Damaged));
+        let expected: Vec<_> = error.into_iter().chain([Ok(())]).collect();
         assert_eq!(after, expected, "{length} bytes");
         assert_eq!(
             receiver.message().map(|message| message.scene),
@@ -89,43 +90,46 @@ fn nothing_that_is_cut_arrives_and_the_next_frame_does() {
 }
 
 #[test]
-fn what_does_not_go_on_is_forgotten() {
+fn forget_discards_incomplete_frames() {
     let scene = random_scene(&mut Rng::with_seed(4), 40);
-    let whole = framed(&scene);
+    let whole = encode_frame(&scene);
     let mut receiver = Receiver::new();
     assert_eq!(receiver.forget(), None);
     for length in 2..whole.len() {
-        assert_eq!(received(&mut receiver, &whole[..length]), []);
-        assert_eq!(receiver.forget(), Some(Broken::Stalled));
+        assert_eq!(receive_all(&mut receiver, &whole[..length]), []);
+        assert_eq!(receiver.forget(), Some(ReceiveError::Stalled));
         assert_eq!(receiver.forget(), None);
         assert_arrives(&mut receiver, &scene);
     }
 }
 
 #[test]
-fn one_byte_too_many_is_too_long() {
+fn rejects_scenes_that_exceed_the_capacity() {
     let mut random = Rng::with_seed(5);
     let mut receiver = Receiver::new();
-    let fits = random_scene(&mut random, MOST);
-    for length in [MOST + 1, 10 * MOST] {
+    let fits = random_scene(&mut random, MAX_LEN);
+    for length in [MAX_LEN + 1, 10 * MAX_LEN] {
         let scene = random_scene(&mut random, length);
-        let too_long = Err(Broken::TooLong { most: MOST });
-        assert_eq!(received(&mut receiver, &framed(&scene)), [too_long]);
+        let too_long = Err(ReceiveError::TooLong { max_len: MAX_LEN });
+        assert_eq!(
+            receive_all(&mut receiver, &encode_frame(&scene)),
+            [too_long]
+        );
         assert_eq!(receiver.message(), None);
         assert_arrives(&mut receiver, &fits);
     }
 }
 
 #[test]
-fn whatever_arrives_the_next_frame_does() {
+fn receives_a_frame_after_random_bytes() {
     let mut random = Rng::with_seed(6);
     let mut receiver = Receiver::new();
     let scene = random_scene(&mut random, 100);
     for _ in 0..2000 {
-        let length = random.usize(..3 * ROOM);
+        let length = random.usize(..3 * CAPACITY);
         let garbage = random_scene(&mut random, length);
-        assert!(!received(&mut receiver, &garbage).contains(&Ok(())));
-        let after = received(&mut receiver, &framed(&scene));
+        assert!(!receive_all(&mut receiver, &garbage).contains(&Ok(())));
+        let after = receive_all(&mut receiver, &encode_frame(&scene));
         assert_eq!(after.last(), Some(&Ok(())));
         assert_eq!(
             receiver.message().map(|message| message.scene),
@@ -136,11 +140,11 @@ fn whatever_arrives_the_next_frame_does() {
 }
 
 #[test]
-fn a_message_stays_until_it_is_forgotten() {
+fn keeps_the_message_until_forget_is_called() {
     let scene = random_scene(&mut Rng::with_seed(7), 40);
     let mut receiver = Receiver::new();
-    assert_eq!(received(&mut receiver, &framed(&scene)), [Ok(())]);
-    assert_eq!(received(&mut receiver, &framed(b"other")), []);
+    assert_eq!(receive_all(&mut receiver, &encode_frame(&scene)), [Ok(())]);
+    assert_eq!(receive_all(&mut receiver, &encode_frame(b"other")), []);
     let ticket = TICKET;
     let scene = &*scene;
     assert_eq!(receiver.message(), Some(Message { ticket, scene }));
@@ -149,17 +153,17 @@ fn a_message_stays_until_it_is_forgotten() {
 }
 
 #[test]
-fn a_frame_needs_its_room() {
+fn encoding_fails_if_the_buffer_is_too_short() {
     for length in [0, 1, 247, 248, 249, 1000] {
         let scene = vec![7; length];
-        let mut room = vec![0; frame_len(length)];
-        assert!(frame(TICKET, &scene, &mut room).is_some());
-        assert_eq!(frame(TICKET, &scene, &mut room[1..]), None);
+        let mut buffer = vec![0; frame_len(length)];
+        assert!(frame(TICKET, &scene, &mut buffer).is_some());
+        assert_eq!(frame(TICKET, &scene, &mut buffer[1..]), None);
     }
 }
 
 #[test]
-fn answers_are_read_as_they_are_written() {
+fn answers_parse_as_they_were_formatted() {
     let answers = [
         (Answer::Shown { ticket: 7 }, "shown 0007"),
         (

@@ -1,4 +1,5 @@
-//! Tells the boards apart by the target: only the an505 has a core of ARMv8-M.
+//! Sets `cfg(an505)` for Armv8-M targets: the mps2-an505 is the only supported
+//! Armv8-M board.
 
 use std::env;
 

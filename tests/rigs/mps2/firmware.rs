@@ -1,5 +1,7 @@
-//! The build script of firmware for these boards: tells memory.x which of them it
-//! is for. Only the an505 has a core of ARMv8-M.
+//! Build script of all firmware for the mps2 boards.
+//!
+//! Defines the linker symbol `an505` for Armv8-M targets, so that `memory.x` selects the
+//! memory map of the mps2-an505.
 
 use std::env;
 

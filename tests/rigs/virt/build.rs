@@ -1,4 +1,4 @@
-//! Tells the linker where things are.
+//! Passes the linker scripts to the linker.
 
 fn main() {
     println!("cargo::rerun-if-changed=memory.x");

@@ -26,12 +26,12 @@ pub(super) fn break_off(port: &Port, scene: &Path) -> Result<()> {
     newer[4] += 1;
     let garbage = b"AT+GMI\r\n\0".to_vec();
     for (bytes, expected) in [
-        (garbage, "broken: damaged on its way"),
-        (flipped, "broken: damaged on its way"),
-        (half, "broken: it did not go on"),
+        (garbage, "broken: data damaged in transit"),
+        (flipped, "broken: data damaged in transit"),
+        (half, "broken: transfer stopped before the end"),
         (
             framed(&[1; 20_000])?,
-            "broken: longer than the 16378 bytes there is room for",
+            "broken: scene exceeds the limit of 16378 bytes",
         ),
         (
             framed(&newer)?,

@@ -3,27 +3,30 @@ use postcard::{Error, take_from_bytes};
 use serde::de::DeserializeOwned;
 use whitted_oracle::{Light, Material, Object, Scene};
 
-/// Room for a scene's lists.
-pub(crate) struct Room {
+/// Memory for the lights, materials and objects of a scene.
+pub(crate) struct SceneStorage {
     lights: Vec<Light<f32>, 8>,
     materials: Vec<Material<f32>, 64>,
     objects: Vec<Object<f32>, 64>,
 }
 
-impl Room {
+impl SceneStorage {
     pub(crate) const EMPTY: Self = Self {
         lights: Vec::new(),
         materials: Vec::new(),
         objects: Vec::new(),
     };
 
-    /// Reads the fields of [`Scene`], in their order.
+    /// Decodes the fields of [`Scene`] in declaration order.
+    ///
+    /// # Errors
+    /// Returns an error if the data is malformed or a list exceeds its capacity.
     pub(crate) fn decode(&mut self, bytes: &[u8]) -> Result<Scene<'_, f32>, Error> {
         let (camera, bytes) = take_from_bytes(bytes)?;
         let (settings, bytes) = take_from_bytes(bytes)?;
-        let bytes = read(&mut self.lights, bytes)?;
-        let bytes = read(&mut self.materials, bytes)?;
-        read(&mut self.objects, bytes)?;
+        let bytes = read_list(&mut self.lights, bytes)?;
+        let bytes = read_list(&mut self.materials, bytes)?;
+        read_list(&mut self.objects, bytes)?;
         Ok(Scene {
             camera,
             settings,
@@ -34,9 +37,13 @@ impl Room {
     }
 }
 
-/// One by one, as a whole list would pass through the stack. Answers what
-/// follows it.
-fn read<'b, T, const N: usize>(list: &mut Vec<T, N>, bytes: &'b [u8]) -> Result<&'b [u8], Error>
+/// Reads a list and returns the bytes after it.
+///
+/// Items are read one by one: decoding a whole list would need stack for all of it.
+fn read_list<'b, T, const N: usize>(
+    list: &mut Vec<T, N>,
+    bytes: &'b [u8],
+) -> Result<&'b [u8], Error>
 where
     T: DeserializeOwned,
 {

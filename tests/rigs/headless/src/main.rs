@@ -1,5 +1,4 @@
-//! Draws any compiled scene at any size, without a display, on QEMU's mps2
-//! boards.
+//! Draws a compiled scene at a given size and prints a report, on QEMU's mps2 boards.
 
 #![no_std]
 #![no_main]
@@ -10,7 +9,7 @@ use cortex_m::peripheral::Peripherals;
 use cortex_m_rt::entry;
 use embedded_graphics_core::prelude::Size;
 use measure::Stopwatch;
-use mps2::{Blind, Job};
+use mps2::{Job, NullDisplay};
 use whitted::{DecodeError, PreparedScene, Renderer, SceneBuffer};
 
 #[cfg(not(feature = "crowd"))]
@@ -19,8 +18,8 @@ type Buffer = SceneBuffer<64, 8, 64>;
 type Buffer = SceneBuffer<256, 1, 1>;
 type File = [u8; 16 * 1024];
 
-/// What keeps its size is static, so that the stack holds calls alone. Each part is a
-/// function of its own: what one takes of the stack is free again for the next.
+/// Scene, renderer and buffers are static, so the measured stack contains only call
+/// frames. Decoding, setup and drawing are separate functions that do not share a frame.
 #[entry]
 fn main() -> ! {
     static mut BUFFER: Buffer = SceneBuffer::new();
@@ -34,7 +33,7 @@ fn main() -> ! {
             match decode(job.file, BUFFER, SCENE) {
                 Ok(scene) => {
                     let renderer = set_up(scene, job.size, RENDERER);
-                    let display = &mut Blind::new(job.size);
+                    let display = &mut NullDisplay::new(job.size);
                     let Ok(report) = measure::draw(renderer, display, &mut stopwatch);
                     mps2::print(format_args!("{report}file: {}\n", size_of::<File>()));
                 }
@@ -42,7 +41,7 @@ fn main() -> ! {
             }
         }
         (Err(error), _) => mps2::print(format_args!("error: {error}\n")),
-        (_, None) => mps2::print("error: no peripherals\n"),
+        (_, None) => mps2::print("error: peripherals already taken\n"),
     }
     mps2::exit();
 }

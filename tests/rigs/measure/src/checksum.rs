@@ -3,8 +3,9 @@ use whitted::codec::Crc32;
 use whitted::render::{DisplayColor, Output};
 use whitted::{Color, Renderer};
 
-/// CRC-32 of a frame's 16-bit linear samples, row by row: traced line by line,
-/// so that other work can be done in between.
+/// CRC-32 of the 16-bit linear samples of a frame, row by row.
+///
+/// The frame is traced line by line, so the caller can poll inputs between lines.
 #[derive(Default)]
 pub struct Checksum {
     crc: Crc32,
@@ -12,7 +13,7 @@ pub struct Checksum {
 }
 
 impl Checksum {
-    /// Traces the next line; the checksum, if that was the last.
+    /// Traces the next line. Returns the checksum after the last line.
     pub fn line(&mut self, renderer: &mut Renderer<'_>) -> Option<u32> {
         for pixel in renderer.line(self.y) {
             self.crc.update_pixel(Color::<u16>::from_radiance(

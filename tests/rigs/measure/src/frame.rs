@@ -6,7 +6,7 @@ use whitted::render::DisplayColor;
 
 use crate::{Checksum, Stopwatch, memory};
 
-/// What there is to tell about a frame and the firmware that drew it.
+/// Measurements of a frame and of the firmware that drew it.
 pub struct Report {
     size: Size,
     instructions: u64,
@@ -15,8 +15,7 @@ pub struct Report {
 }
 
 impl Report {
-    /// Of a frame of this size that was drawn just now, and all that the
-    /// stopwatch counted for it.
+    /// Creates a report from the instructions on the stopwatch and the stack used so far.
     pub fn new(size: Size, stopwatch: &Stopwatch) -> Self {
         Self {
             size,
@@ -26,7 +25,7 @@ impl Report {
         }
     }
 
-    /// With a checksum of the frame.
+    /// Adds the checksum of the frame.
     pub fn with_checksum(self, checksum: u32) -> Self {
         Self {
             checksum: Some(checksum),
@@ -35,11 +34,13 @@ impl Report {
     }
 }
 
-/// Draws a frame line by line, then traces it again for the checksum.
+/// Draws a frame line by line and measures it, then traces it again for the checksum.
 ///
-/// Instructions and stack are those of the frame that is drawn: whatever the
-/// stopwatch has seen before, such as the decoding of the scene, then tracing,
-/// conversion to the display's colors, and the display's driver.
+/// The instruction count includes tracing, color conversion, the display driver, and
+/// everything since the stopwatch was started, such as decoding the scene.
+///
+/// # Errors
+/// Returns the first error of the display.
 #[inline(never)]
 pub fn draw<D>(
     renderer: &mut Renderer<'_>,
@@ -59,8 +60,9 @@ where
     Ok(report.with_checksum(checksum(renderer)))
 }
 
-/// Traces the frame for its checksum. A function of its own, as its start tells
-/// `cargo xtask profile` that the frame is drawn.
+/// Traces the frame for its checksum.
+///
+/// Out of line: `cargo xtask profile` stops profiling where this function starts.
 #[inline(never)]
 fn checksum(renderer: &mut Renderer<'_>) -> u32 {
     let mut checksum = Checksum::default();

@@ -1,8 +1,8 @@
-//! What the firmware tells about itself, the same for every board.
+//! Measurements that firmware prints about itself.
 //!
-//! A frame is drawn once and measured on its way to the display, then traced
-//! again for its checksum, so that the checksum costs the measured frame
-//! nothing. The report is lines of `key: value`, ended by the line [`END`].
+//! Firmware draws a frame once and measures it, then traces the frame again for its
+//! checksum, so that the checksum does not affect the measurement. A report consists of
+//! `key: value` lines. On a UART, the line [`END`] follows.
 
 #![no_std]
 
@@ -16,5 +16,5 @@ pub use frame::{Report, draw};
 pub use memory::peak_stack;
 pub use stopwatch::Stopwatch;
 
-/// The last line that firmware prints, whether it has drawn or failed.
+/// Last line that firmware prints on a UART, after a report or an error.
 pub const END: &str = "end";

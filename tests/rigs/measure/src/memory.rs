@@ -1,4 +1,4 @@
-//! Sizes by the symbols of cortex-m-rt's linker script.
+//! Memory usage, from the symbols of the cortex-m-rt linker script.
 
 use cortex_m_rt::STACK_PAINT_VALUE;
 
@@ -12,25 +12,26 @@ unsafe extern "C" {
     static _stack_start: u32;
 }
 
-/// Bytes of flash: vectors, code, constants and the initial values of statics.
+/// Returns the flash size in bytes: vectors, code, constants and initial values of statics.
 pub(crate) fn flash() -> usize {
     distance(&raw const __vector_table, &raw const __sidata)
         + distance(&raw const __sdata, &raw const __edata)
 }
 
-/// Bytes of RAM that statics take.
+/// Returns the RAM size of all statics, in bytes.
 pub(crate) fn statics() -> usize {
     distance(&raw const __sdata, &raw const __ebss)
 }
 
-/// Bytes of stack at the deepest so far: from its start to the lowest word
-/// that no longer holds the paint which the stack got before `main`.
+/// Returns the deepest stack usage so far, in bytes.
+///
+/// cortex-m-rt fills the stack with a known value before `main`. The lowest word with
+/// another value marks the deepest usage.
 pub fn peak_stack() -> usize {
     let start = &raw const _stack_start;
     let mut word = &raw const _stack_end;
-    // SAFETY: from `_stack_end` up to `_stack_start` all is RAM, written by the
-    // paint at least, and nothing but the stack lives there. The part below the
-    // stack pointer belongs to nobody, the part above is only read.
+    // SAFETY: the words from `_stack_end` to `_stack_start` are initialized RAM that only
+    // the stack uses. This loop only reads them.
     while word < start && unsafe { word.read_volatile() } == STACK_PAINT_VALUE {
         word = word.wrapping_add(1);
     }

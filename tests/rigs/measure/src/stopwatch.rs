@@ -1,24 +1,23 @@
 use cortex_m::peripheral::{SYST, syst::SystClkSource};
 
-/// SysTick's width.
+/// SysTick is a 24-bit counter.
 const MASK: u32 = 0x00FF_FFFF;
 
-/// Counts instructions, on a QEMU started with `-icount shift=0`.
+/// Counts instructions with SysTick, under QEMU with `-icount shift=0`.
 ///
-/// There an instruction takes one nanosecond, so SysTick, whose ticks have a
-/// fixed length, counts instructions, and counts the same in every run. On a
-/// chip it measures nanoseconds, as exactly as its clock runs.
+/// With `-icount shift=0`, each instruction takes one nanosecond of virtual time, so the
+/// count is equal in every run. On a real chip the stopwatch measures nanoseconds.
 pub struct Stopwatch {
-    /// Held so that nobody else sets it.
+    /// Owned, so that no other code can reconfigure the timer.
     _systick: SYST,
     nanoseconds_per_tick: u32,
-    /// Where SysTick, which counts down, stood at the last lap.
+    /// SysTick value at the last lap; SysTick counts down.
     last: u32,
     ticks: u64,
 }
 
 impl Stopwatch {
-    /// A stopwatch, started; `nanoseconds_per_tick` is the core clock's period.
+    /// Starts a stopwatch; `nanoseconds_per_tick` is the period of the core clock.
     pub fn new(mut systick: SYST, nanoseconds_per_tick: u32) -> Self {
         systick.set_clock_source(SystClkSource::Core);
         systick.set_reload(MASK);
@@ -32,21 +31,23 @@ impl Stopwatch {
         }
     }
 
-    /// Begins anew.
+    /// Resets the count to zero.
     pub fn restart(&mut self) {
         self.last = SYST::get_current();
         self.ticks = 0;
     }
 
-    /// Adds what has passed since the last lap. SysTick has but 24 bits, so a
-    /// lap may take 2^24 ticks at most: about 0.7 to 1.3 G instructions.
+    /// Adds the time since the last lap.
+    ///
+    /// A lap must be shorter than 2^24 ticks, the range of SysTick: 0.67 to 1.3 billion
+    /// instructions, depending on the clock.
     pub fn lap(&mut self) {
         let now = SYST::get_current();
         self.ticks += u64::from(self.last.wrapping_sub(now) & MASK);
         self.last = now;
     }
 
-    /// Instructions from the start to the last lap.
+    /// Returns the number of instructions from the start to the last lap.
     pub fn instructions(&self) -> u64 {
         self.ticks * u64::from(self.nanoseconds_per_tick)
     }

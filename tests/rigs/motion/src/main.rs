@@ -1,5 +1,5 @@
-//! Draws frames of a scene that moves, whose key frames are statics in flash, and
-//! counts what comes before a frame can be drawn.
+//! Draws frames of an animated scene in flash and counts the instructions before each
+//! frame: evaluating the animation, preparing the scene, and setting the camera.
 
 #![no_std]
 #![no_main]
@@ -22,24 +22,24 @@ const WIDTH: usize = SIZE[0] as usize;
 #[entry]
 fn main() -> ! {
     static mut BUFFER: SceneBuffer<5, 1, 5> = SceneBuffer::new();
-    static mut STAGE: AnimatedScene<5, 1> = AnimatedScene::new();
+    static mut ANIMATED: AnimatedScene<5, 1> = AnimatedScene::new();
 
     match Peripherals::take() {
         Some(core) => {
             let mut stopwatch = Stopwatch::new(core.SYST, mps2::NANOSECONDS_PER_CLOCK);
             for frame in 0..TIMES.len() {
-                draw(frame, STAGE, BUFFER, &mut stopwatch);
+                draw(frame, ANIMATED, BUFFER, &mut stopwatch);
             }
         }
-        None => mps2::print("error: no peripherals\n"),
+        None => mps2::print("error: peripherals already taken\n"),
     }
     mps2::exit();
 }
 
-/// Draws a frame, and says its checksum and the instructions of each step.
+/// Draws a frame and prints its checksum and the instructions of each step.
 fn draw(
     frame: usize,
-    stage: &mut AnimatedScene<5, 1>,
+    animated: &mut AnimatedScene<5, 1>,
     buffer: &mut SceneBuffer<5, 1, 5>,
     stopwatch: &mut Stopwatch,
 ) {
@@ -49,28 +49,28 @@ fn draw(
         stopwatch.instructions() - before
     };
     lap();
-    let moved = match stage.frame(&SCENE, &ANIMATION, TIMES[frame]) {
+    let moved = match animated.frame(&SCENE, &ANIMATION, TIMES[frame]) {
         Ok(moved) => moved,
         Err(error) => return mps2::print(format_args!("error: {error}\n")),
     };
-    let moving = lap();
+    let moving_cost = lap();
     let mut prepared = match buffer.prepare(&moved) {
         Ok(prepared) => prepared,
         Err(error) => return mps2::print(format_args!("error: {error}\n")),
     };
-    let preparing = lap();
-    let set = prepared.set_camera(&moved.camera);
-    let looking = lap();
-    if let Err(error) = set {
+    let preparing_cost = lap();
+    let result = prepared.set_camera(&moved.camera);
+    let camera_cost = lap();
+    if let Err(error) = result {
         return mps2::print(format_args!("error: {error}\n"));
     }
     let checksum = checksum(&prepared);
     mps2::print(format_args!(
-        "checksum {frame}: {checksum:08x}\nmove {frame}: {moving}\nprepare {frame}: {preparing}\ncamera {frame}: {looking}\n"
+        "checksum {frame}: {checksum:08x}\nmove {frame}: {moving_cost}\nprepare {frame}: {preparing_cost}\ncamera {frame}: {camera_cost}\n"
     ));
 }
 
-/// CRC-32 of the frame's 16-bit linear samples, row by row.
+/// Returns the CRC-32 of the 16-bit linear samples of the frame, row by row.
 fn checksum(scene: &PreparedScene<'_>) -> u32 {
     let mut renderer = Renderer::new(scene, Size::new(SIZE[0], SIZE[1]));
     let mut crc = Crc32::new();

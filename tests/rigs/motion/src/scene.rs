@@ -1,5 +1,5 @@
-//! The scene, and how it moves: four spheres over an endless floor, as in
-//! scenes/four_spheres.toml.
+//! Animated scene of the `motion` and `soak` rigs: four spheres over an unbounded floor, as
+//! in scenes/four_spheres.toml.
 
 use whitted::animation::{Animation, Interpolation, Keyframe, Target, Track};
 use whitted::scene::Axis;
@@ -7,10 +7,10 @@ use whitted::{
     Background, Camera, Color, Light, Material, MaterialId, Object, Real, Scene, Texture, Vec3,
 };
 
-/// The frames that are drawn, in seconds.
+/// Times of the drawn frames, in seconds.
 pub(crate) const TIMES: [Real; 3] = [Real::lit("0"), Real::lit("0.7"), Real::lit("1.9")];
 
-/// Their size.
+/// Size of the drawn frames, in pixels.
 pub(crate) const SIZE: [u32; 2] = [64, 48];
 
 pub(crate) static SCENE: Scene = Scene {

@@ -5,30 +5,35 @@ use embedded_graphics_core::prelude::Size;
 
 use crate::host;
 
-/// What the host asks for: a file's scene, drawn at a size.
+/// Rendering job from the command line: the content of a scene file and the image size.
 pub struct Job<'b> {
-    /// The size to draw at.
+    /// Image size in pixels.
     pub size: Size,
-    /// What the file holds.
+    /// Content of the scene file.
     pub file: &'b [u8],
 }
 
 impl<'b> Job<'b> {
-    /// The one on the command line, read into the buffer. Not inlined, as the line takes
-    /// 512 bytes of stack.
+    /// Reads the job from the command line, and its file into `buffer`.
+    ///
+    /// Out of line, so that the caller's stack frame does not include the 512 bytes of the
+    /// command line.
+    ///
+    /// # Errors
+    /// Returns an error if the command line is malformed or the file cannot be read.
     #[inline(never)]
-    pub fn read(buffer: &'b mut [u8]) -> Result<Self, Failure> {
+    pub fn read(buffer: &'b mut [u8]) -> Result<Self, JobError> {
         let mut command_line = [0; 512];
         let (size, path) = host::command_line(&mut command_line)
             .and_then(parse)
-            .ok_or(Failure::CommandLine)?;
-        let room = buffer.len();
-        let file = host::read_file(path, buffer).ok_or(Failure::File { room })?;
+            .ok_or(JobError::CommandLine)?;
+        let capacity = buffer.len();
+        let file = host::read_file(path, buffer).ok_or(JobError::File { capacity })?;
         Ok(Self { size, file })
     }
 }
 
-/// Takes "WIDTHxHEIGHT PATH" apart.
+/// Parses "WIDTHxHEIGHT PATH".
 fn parse(command_line: &CStr) -> Option<(Size, &CStr)> {
     let (first, _) = command_line.to_str().ok()?.split_once(' ')?;
     let (width, height) = first.split_once('x')?;
@@ -37,23 +42,26 @@ fn parse(command_line: &CStr) -> Option<(Size, &CStr)> {
     Some((size, CStr::from_bytes_until_nul(rest).ok()?))
 }
 
-/// Why there is no job.
-pub enum Failure {
-    /// It does not name one.
+/// The reason why no job could be read.
+pub enum JobError {
+    /// The command line is malformed.
     CommandLine,
-    /// The file cannot be read into so many bytes.
+    /// The file is unreadable or exceeds the buffer.
     File {
-        /// The bytes.
-        room: usize,
+        /// Size of the buffer in bytes.
+        capacity: usize,
     },
 }
 
-impl fmt::Display for Failure {
+impl fmt::Display for JobError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::CommandLine => f.write_str("the command line is not WIDTHxHEIGHT FILE"),
-            Self::File { room } => {
-                write!(f, "the file cannot be read, or is over {room} bytes")
+            Self::CommandLine => f.write_str("invalid command line: expected WIDTHxHEIGHT FILE"),
+            Self::File { capacity } => {
+                write!(
+                    f,
+                    "the scene file is unreadable or larger than {capacity} bytes"
+                )
             }
         }
     }

@@ -1,19 +1,19 @@
-//! QEMU's mps2 boards, as far as firmware without a display needs them:
-//! mps2-an385 (Cortex-M3, also with code for the M0), -an386 (M4F), -an500
-//! (M7) and -an505 (M33).
+//! Board support for QEMU's mps2 machines.
 //!
-//! Firmware is told by semihosting what to draw, as its command line: size,
-//! then file, `320x240 target/scene.bin`.
+//! The machines are mps2-an385 (Cortex-M3; also runs code for the M0), mps2-an386 (M4F),
+//! mps2-an500 (M7) and mps2-an505 (M33). They have no display. Firmware reads its
+//! job from the semihosting command line, for example `320x240 target/scene.bin`, and
+//! prints its result by semihosting.
 
 #![no_std]
 
-mod blind;
 mod host;
 mod job;
+mod null_display;
 
-pub use blind::Blind;
 pub use host::{exit, print};
-pub use job::{Failure, Job};
+pub use job::{Job, JobError};
+pub use null_display::NullDisplay;
 
-/// The core clock's period: 20 MHz on the an505, 25 MHz on the others.
+/// Period of the core clock: 20 MHz on the mps2-an505, 25 MHz on the other machines.
 pub const NANOSECONDS_PER_CLOCK: u32 = if cfg!(an505) { 50 } else { 40 };

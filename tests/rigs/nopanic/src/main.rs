@@ -1,9 +1,9 @@
-//! Links only if nothing of the library may panic: the panic handler calls a
-//! function that is nowhere. `cargo xtask test nopanic` links it for each
-//! instruction set; it is never run.
+//! Proves that the library cannot panic: this program links only without panics.
 //!
-//! All input passes through `black_box`, so the optimizer cannot drop a panic
-//! because it knows the values.
+//! The panic handler calls an undefined function, so any reachable panic is a linker
+//! error. `cargo xtask test nopanic` links the program for each instruction set. The
+//! program is never run. All input passes through `black_box`, so the optimizer cannot
+//! remove a panic by knowing the values.
 
 #![no_std]
 #![no_main]

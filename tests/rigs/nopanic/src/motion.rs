@@ -1,4 +1,4 @@
-//! All that moves.
+//! Calls every animation function.
 
 use core::hint::black_box;
 
@@ -8,7 +8,7 @@ use whitted::animation::{AnimatedScene, Animation, Interpolation, Keyframe, Targ
 use crate::scenes::{Buffer, SCENE, number};
 use crate::{displays, text};
 
-/// Behind a reference, all of it is unknown, as of a scene.
+/// `black_box` of a reference hides the content of this animation from the compiler.
 static ANIMATION: Animation = Animation {
     duration: Real::ZERO,
     looping: true,
@@ -30,9 +30,9 @@ pub(crate) fn play() {
     }
     black_box(animation.camera(scene.camera, number()).is_ok());
 
-    let mut stage = AnimatedScene::<2, 1>::new();
+    let mut animated = AnimatedScene::<2, 1>::new();
     let mut buffer = Buffer::new();
-    match stage.frame(scene, animation, number()) {
+    match animated.frame(scene, animation, number()) {
         Ok(frame) => match buffer.prepare(&frame) {
             Ok(scene) => displays::draw_on_all(black_box(&scene)),
             Err(error) => text::print(&error),

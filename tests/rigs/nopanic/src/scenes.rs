@@ -1,4 +1,4 @@
-//! Every way to a prepared scene.
+//! Calls every function that builds, prepares, decodes or changes a scene.
 
 use core::hint::black_box;
 
@@ -13,8 +13,8 @@ use crate::{displays, text};
 
 pub(crate) type Buffer = SceneBuffer<8, 2, 4>;
 
-/// Behind a reference that the compiler cannot see through, all of a scene is
-/// unknown: which shapes, how many of them, every number.
+/// `black_box` of a reference hides the content of this scene from the compiler: all
+/// shapes, counts and numbers.
 pub(crate) static SCENE: Scene = Scene::new(Camera::new(ORIGIN, ORIGIN, Real::ZERO));
 const ORIGIN: Vec3<Real> = Vec3::new(Real::ZERO, Real::ZERO, Real::ZERO);
 
@@ -50,7 +50,7 @@ fn draw(mut scene: PreparedScene<'_>) {
     displays::draw_on_all(black_box(&scene));
 }
 
-/// By what there is to put a scene together, and to check it.
+/// Builds a scene with [`SceneBuilder`] and computes a checksum.
 pub(crate) fn build() {
     let point = || Vec3::new(number(), number(), number());
     let color = || Color::new(number(), number(), number()).map(black_box);
@@ -77,6 +77,7 @@ pub(crate) fn build() {
     black_box(crc.finish());
 }
 
+/// Returns a number that the compiler does not know.
 pub(crate) fn number() -> Real {
     black_box(Real::ZERO)
 }

@@ -1,12 +1,12 @@
-//! Errors as text.
+//! Formats errors as text.
 
 use core::fmt::{self, Display, Write};
 use core::hint::black_box;
 
-/// Takes text, or fails.
-struct Paper;
+/// Text output that succeeds or fails, unknown to the compiler.
+struct UnknownOutput;
 
-impl Write for Paper {
+impl Write for UnknownOutput {
     fn write_str(&mut self, text: &str) -> fmt::Result {
         black_box(text);
         if black_box(false) {
@@ -18,5 +18,5 @@ impl Write for Paper {
 }
 
 pub(crate) fn print(text: &dyn Display) {
-    black_box(write!(Paper, "{text}").is_ok());
+    black_box(write!(UnknownOutput, "{text}").is_ok());
 }

@@ -1,5 +1,5 @@
-//! Compares the operations of `long-multiply` with the plain ones, over all pairs
-//! of edges and two million others.
+//! Compares every operation of `long-multiply` with plain arithmetic, for all pairs of
+//! edge values and two million random pairs.
 
 #![no_std]
 #![no_main]
@@ -9,8 +9,8 @@ use core::panic::PanicInfo;
 
 use cortex_m_rt::entry;
 
-/// Pairs beside those of edges.
-const RANDOM: u32 = 2_000_000;
+/// Number of random pairs.
+const RANDOM_PAIRS: u32 = 2_000_000;
 
 #[entry]
 fn main() -> ! {
@@ -21,38 +21,42 @@ fn main() -> ! {
     mps2::exit();
 }
 
-/// How many pairs were compared, or the first with a wrong product.
+/// Returns the number of compared pairs.
+///
+/// # Errors
+/// Returns the first pair with a wrong result.
 fn compare() -> Result<u32, (u32, u32)> {
     let mut pairs = 0;
-    for a in edges() {
-        for b in edges() {
+    for a in edge_values() {
+        for b in edge_values() {
             pairs += 1;
-            holds(a, b)?;
+            check_pair(a, b)?;
         }
     }
-    // xorshift (Marsaglia, 2003)
+    // Random pairs by xorshift64 (Marsaglia, 2003).
     let mut state = 1_u64;
-    for _ in 0..RANDOM {
+    for _ in 0..RANDOM_PAIRS {
         state ^= state << 13;
         state ^= state >> 7;
         state ^= state << 17;
         pairs += 1;
-        holds((state >> 32) as u32, state as u32)?;
+        check_pair((state >> 32) as u32, state as u32)?;
     }
     Ok(pairs)
 }
 
-/// Every power of two, what is beside it, and the negatives and complements.
-fn edges() -> impl Iterator<Item = u32> {
+/// Returns each power of two, its neighbors, its complement and its negative.
+fn edge_values() -> impl Iterator<Item = u32> {
     (0..32).flat_map(|bit| {
         let x = 1_u32 << bit;
         [x, x - 1, x + 1, !x, x.wrapping_neg()]
     })
 }
 
-fn holds(a: u32, b: u32) -> Result<(), (u32, u32)> {
+/// Checks all operations for one pair.
+fn check_pair(a: u32, b: u32) -> Result<(), (u32, u32)> {
     let (i, j) = (a as i32, b as i32);
-    // Plain products, which the compiler must not see through.
+    // `black_box` keeps the compiler from evaluating the expected products early.
     let (p, q) = (black_box(i64::from(i)), black_box(u64::from(a)));
     let c = a >> 11;
     let d = black_box(u64::from(c));
@@ -72,7 +76,7 @@ fn holds(a: u32, b: u32) -> Result<(), (u32, u32)> {
     let upper = b | 1 << 31;
     let half = black_box(1_i64 << 31);
     let reduced = v.map(|c| ((i64::from(c) * i64::from(upper) + half) >> 32) as i32);
-    let right = long_multiply::signed(i, j) == p * i64::from(j)
+    let is_correct = long_multiply::signed(i, j) == p * i64::from(j)
         && long_multiply::unsigned(a, b) == q * u64::from(b)
         && long_multiply::mixed(i, b) == p * i64::from(b)
         && long_multiply::square(i) == p * i64::from(i)
@@ -93,7 +97,7 @@ fn holds(a: u32, b: u32) -> Result<(), (u32, u32)> {
         && long_multiply::rounded::<30>(product) == rounded(30)
         && long_multiply::rounded::<31>(product) == rounded(31)
         && long_multiply::leading_zeros(a) == black_box(a).leading_zeros();
-    right.then_some(()).ok_or((a, b))
+    is_correct.then_some(()).ok_or((a, b))
 }
 
 #[panic_handler]

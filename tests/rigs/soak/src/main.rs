@@ -1,12 +1,12 @@
-//! Draws frame after frame of a scene that moves, without end; says of each its
-//! checksum, and the bytes of stack at the deepest so far.
+//! Draws animation frames in an endless loop. Prints for each frame its number, its
+//! checksum, and the deepest stack usage so far in bytes.
 
 #![no_std]
 #![no_main]
 
 mod frames;
 #[path = "../../motion/src/scene.rs"]
-#[allow(dead_code, reason = "its times and size are those of other firmware")]
+#[allow(dead_code, reason = "the times and size are for the motion rig")]
 mod scene;
 
 use core::panic::PanicInfo;
@@ -22,11 +22,11 @@ use whitted::{Renderer, SceneBuffer};
 #[entry]
 fn main() -> ! {
     static mut BUFFER: SceneBuffer<5, 1, 5> = SceneBuffer::new();
-    static mut STAGE: AnimatedScene<5, 1> = AnimatedScene::new();
+    static mut ANIMATED: AnimatedScene<5, 1> = AnimatedScene::new();
 
     let mut frame = 0;
     loop {
-        match draw(frame, STAGE, BUFFER) {
+        match draw(frame, ANIMATED, BUFFER) {
             Some(checksum) => {
                 mps2::print(format_args!("{frame}: {checksum:08x} {}\n", peak_stack()))
             }
@@ -36,13 +36,13 @@ fn main() -> ! {
     }
 }
 
-/// The frame's checksum; `None` if it cannot be prepared.
+/// Draws a frame and returns its checksum; `None` if the scene cannot be prepared.
 fn draw(
     frame: u16,
-    stage: &mut AnimatedScene<5, 1>,
+    animated: &mut AnimatedScene<5, 1>,
     buffer: &mut SceneBuffer<5, 1, 5>,
 ) -> Option<u32> {
-    let moved = stage.frame(&SCENE, &ANIMATION, time(frame)).ok()?;
+    let moved = animated.frame(&SCENE, &ANIMATION, time(frame)).ok()?;
     let prepared = buffer.prepare(&moved).ok()?;
     let mut renderer = Renderer::new(&prepared, Size::new(SIZE[0], SIZE[1]));
     let mut checksum = Checksum::default();

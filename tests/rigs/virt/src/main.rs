@@ -1,8 +1,7 @@
-//! Draws any compiled scene on QEMU's virt machine, a RISC-V core, and prints
-//! the checksum of the picture.
+//! Draws a compiled scene on QEMU's RISC-V virt machine and prints the picture checksum.
 //!
-//! QEMU puts the job into memory: width, height and length as words, a page
-//! further the compiled scene.
+//! QEMU loads the job into memory: width, height and scene length as 32-bit words, and
+//! the compiled scene 4 KB above.
 
 #![no_std]
 #![no_main]
@@ -15,22 +14,24 @@ use riscv_rt::entry;
 use whitted::codec::Crc32;
 use whitted::{Color, Renderer, SceneBuffer};
 
-/// What QEMU is told to write to: `xtask/src/prove/everywhere.rs` does so.
+/// Load addresses of the job, as in the QEMU command line of
+/// `xtask/src/prove/everywhere.rs`.
 const JOB: *const [u32; 3] = 0x8100_0000_u32 as _;
 const SCENE: *const u8 = 0x8100_1000_u32 as _;
 
-/// The transmit register of the machine's UART.
+/// Transmit register of the UART.
 const UART: *mut u8 = 0x1000_0000_u32 as _;
-/// Ends QEMU.
+/// Register of the SiFive test device: exits QEMU.
 const FINISHER: *mut u32 = 0x0010_0000_u32 as _;
 const SUCCESS: u32 = 0x5555;
 
 #[entry]
 fn main() -> ! {
-    // SAFETY: QEMU has written the job before it has started the core; it lies
-    // beyond what memory.x names, and nobody writes to it.
+    // SAFETY: QEMU writes the job before it starts the core. The job is outside the memory
+    // of memory.x, so the program does not overwrite it.
     let [width, height, length] = unsafe { JOB.read_volatile() };
-    // SAFETY: the same, of as many bytes as the job says.
+    // SAFETY: QEMU loads `length` bytes of scene at this address before the core starts.
+    // The program does not write to them.
     let scene = unsafe { core::slice::from_raw_parts(SCENE, length as usize) };
     let mut buffer = SceneBuffer::<64, 8, 64>::new();
     _ = match buffer.decode(scene) {
@@ -43,6 +44,7 @@ fn main() -> ! {
     exit()
 }
 
+/// Traces all lines and returns the CRC-32 of their 16-bit linear samples.
 fn checksum(renderer: &mut Renderer<'_>) -> u32 {
     let mut crc = Crc32::new();
     let mut line = [Color::<u16>::default(); 320];
@@ -61,7 +63,8 @@ struct Uart;
 impl Write for Uart {
     fn write_str(&mut self, text: &str) -> fmt::Result {
         for byte in text.bytes() {
-            // SAFETY: the register of a device that is always ready, in QEMU.
+            // SAFETY: this is the UART register of the virt machine. QEMU is always ready to
+            // transmit.
             unsafe { UART.write_volatile(byte) }
         }
         Ok(())
@@ -69,7 +72,7 @@ impl Write for Uart {
 }
 
 fn exit() -> ! {
-    // SAFETY: a device's register; the machine ends with this.
+    // SAFETY: this is the register of the test device of the virt machine.
     unsafe { FINISHER.write_volatile(SUCCESS) }
     loop {}
 }

@@ -1,4 +1,4 @@
-//! Draws any compiled scene in WebAssembly. `checksum.mjs` runs it in Node.js.
+//! Draws a compiled scene in WebAssembly. `checksum.mjs` runs the module in Node.js.
 
 use std::cell::RefCell;
 
@@ -10,16 +10,16 @@ thread_local! {
     static SCENE: RefCell<Vec<u8>> = const { RefCell::new(Vec::new()) };
 }
 
-/// Makes room for a compiled scene of so many bytes, and says where.
+/// Allocates `length` bytes for a compiled scene and returns their address.
 #[unsafe(no_mangle)]
-pub extern "C" fn room(length: usize) -> *mut u8 {
+pub extern "C" fn reserve(length: usize) -> *mut u8 {
     SCENE.with_borrow_mut(|scene| {
         scene.resize(length, 0);
         scene.as_mut_ptr()
     })
 }
 
-/// The checksum of the scene's picture; 0 if it is none.
+/// Returns the checksum of the picture; 0 if the scene cannot be decoded.
 #[unsafe(no_mangle)]
 pub extern "C" fn checksum(width: u32, height: u32) -> u32 {
     let mut buffer = Box::new(SceneBuffer::<64, 8, 64>::new());

@@ -3,23 +3,23 @@ use core::hint::black_box;
 
 use embedded_graphics_core::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 
-/// A display without pixels: takes them all, at the least cost there is.
-pub struct Blind(Size);
+/// Display that discards all pixels, at the lowest possible cost.
+pub struct NullDisplay(Size);
 
-impl Blind {
-    /// One of this size.
+impl NullDisplay {
+    /// Creates a display of this size.
     pub fn new(size: Size) -> Self {
         Self(size)
     }
 }
 
-impl OriginDimensions for Blind {
+impl OriginDimensions for NullDisplay {
     fn size(&self) -> Size {
         self.0
     }
 }
 
-impl DrawTarget for Blind {
+impl DrawTarget for NullDisplay {
     type Color = Rgb565;
     type Error = Infallible;
 
@@ -35,11 +35,11 @@ impl DrawTarget for Blind {
     where
         I: IntoIterator<Item = Rgb565>,
     {
-        // Without a use of every color, the optimizer would not trace them.
-        let all = colors
+        // Every color must be used, or the optimizer removes the rendering.
+        let combined = colors
             .into_iter()
-            .fold(0, |all, color| all ^ color.into_storage());
-        black_box(all);
+            .fold(0, |combined, color| combined ^ color.into_storage());
+        black_box(combined);
         Ok(())
     }
 }
