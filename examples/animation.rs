@@ -2,17 +2,17 @@
 //!
 //! `cargo run --example animation` writes `animation.png`: five frames side by side.
 
-mod common;
+pub(crate) mod common;
 
 use std::error::Error;
 
 use common::Display;
 use embedded_graphics::prelude::*;
 use whitted::animation::{AnimatedScene, Animation, Interpolation, Keyframe, Target, Track};
-use whitted::scene::Axis;
+use whitted::scene::{Axis, ClipBox};
 use whitted::{
     Background, Camera, Color, Light, Material, MaterialId, Object, Real, Renderer, Scene,
-    SceneBuffer, Texture, Vec3,
+    SceneBuffer, Shape, Texture, Vec3,
 };
 
 /// Times of the frames in seconds.
@@ -26,7 +26,7 @@ pub(crate) static SCENE: Scene = Scene {
     },
     lights: &[Light::point(
         Vec3::lit("-4", "9", "6"),
-        Color::gray(Real::ONE),
+        Color::gray(Real::lit("1.25")),
     )],
     materials: &[
         Material {
@@ -54,17 +54,25 @@ pub(crate) static SCENE: Scene = Scene {
         },
     ],
     objects: &[
-        Object::floor(
-            Real::ZERO,
-            Texture::Checker {
+        Object {
+            shape: Shape::Plane {
+                normal: Vec3::lit("0", "1", "0"),
+                point: Vec3::lit("0", "0", "0"),
+                bounds: ClipBox {
+                    x: Some([Real::lit("-3"), Real::lit("3")]),
+                    z: Some([Real::lit("-2"), Real::lit("2")]),
+                    ..ClipBox::NONE
+                },
+            },
+            texture: Texture::Checker {
                 size: Real::ONE,
                 axes: [Axis::X, Axis::Z],
                 materials: [MaterialId(2), MaterialId(3)],
             },
-        ),
+        },
         Object::sphere(
-            Vec3::lit("-1.5", "0.4", "0.6"),
-            Real::lit("0.4"),
+            Vec3::lit("-1.4", "0.5", "0.6"),
+            Real::lit("0.5"),
             MaterialId(0),
         ),
         Object::sphere(
@@ -74,9 +82,9 @@ pub(crate) static SCENE: Scene = Scene {
         ),
     ],
     ..Scene::new(Camera::new(
-        Vec3::lit("0", "2", "8"),
-        Vec3::lit("0", "1.15", "0"),
-        Real::lit("30"),
+        Vec3::lit("0", "2.4", "8"),
+        Vec3::lit("0", "1.1", "0"),
+        Real::lit("29"),
     ))
 };
 
@@ -91,13 +99,13 @@ pub(crate) static HOPS: Animation = Animation {
             // Three smooth keyframes make a parabola. Two keyframes at one time make a corner,
             // where the ball bounces.
             keys: &[
-                Keyframe::vector("0", "-1.5", "0.4", "0.6"),
-                Keyframe::vector("0", "-1.5", "0.4", "0.6"),
-                Keyframe::vector("0.5", "0", "2.4", "0.6"),
-                Keyframe::vector("1", "1.5", "0.4", "0.6"),
-                Keyframe::vector("1", "1.5", "0.4", "0.6"),
-                Keyframe::vector("1.5", "0", "2.4", "0.6"),
-                Keyframe::vector("2", "-1.5", "0.4", "0.6"),
+                Keyframe::vector("0", "-1.4", "0.5", "0.6"),
+                Keyframe::vector("0", "-1.4", "0.5", "0.6"),
+                Keyframe::vector("0.5", "0", "2.3", "0.6"),
+                Keyframe::vector("1", "1.4", "0.5", "0.6"),
+                Keyframe::vector("1", "1.4", "0.5", "0.6"),
+                Keyframe::vector("1.5", "0", "2.3", "0.6"),
+                Keyframe::vector("2", "-1.4", "0.5", "0.6"),
             ],
         },
         Track {

@@ -2,7 +2,7 @@
 //!
 //! `cargo run --example antialiased` writes `antialiased.png`, 4 times as large.
 
-mod common;
+pub(crate) mod common;
 
 use std::error::Error;
 
@@ -24,8 +24,8 @@ pub(crate) static SCENE: Scene = Scene {
         zenith: Color::lit("0.14", "0.22", "0.5"),
     },
     lights: &[Light::point(
-        Vec3::lit("-5", "8", "6"),
-        Color::lit("1", "0.95", "0.9"),
+        Vec3::lit("-50", "80", "60"),
+        Color::lit("1.2", "1.12", "1.05"),
     )],
     materials: &[
         Material {

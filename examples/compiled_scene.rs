@@ -3,7 +3,7 @@
 //! `cargo run --example compiled_scene` writes `compiled_scene.png`. For scene files,
 //! `cargo sim compile` writes the bytes, and firmware takes them in by `include_bytes!`.
 
-mod common;
+pub(crate) mod common;
 
 use std::error::Error;
 

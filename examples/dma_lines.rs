@@ -2,7 +2,7 @@
 //!
 //! `cargo run --example dma_lines` writes `dma_lines.png`.
 
-mod common;
+pub(crate) mod common;
 
 use std::error::Error;
 use std::thread::{self, JoinHandle};

@@ -2,28 +2,34 @@
 //!
 //! `cargo run --example first_scene` writes `first_scene.png`.
 
-mod common;
+pub(crate) mod common;
 
 use std::error::Error;
 
 use common::Display;
 use embedded_graphics::prelude::*;
-use whitted::scene::{Axis, ior};
+use whitted::scene::{Axis, ClipBox, ior};
 use whitted::{
     Background, Camera, Color, Light, Material, MaterialId, Object, Real, Renderer, Scene,
-    SceneBuffer, Texture, Vec3,
+    SceneBuffer, Shape, Texture, Vec3,
 };
 
 /// The scene is a `static`, so it stays in flash. `lit` turns decimals into fixed point at
 /// compile time. A `MaterialId` is an index into `materials`.
 pub(crate) static SCENE: Scene = Scene {
     background: Background::Gradient {
-        horizon: Color::lit("0.62", "0.74", "0.86"),
+        horizon: Color::lit("0.60", "0.76", "0.90"),
         zenith: Color::lit("0.03", "0.12", "0.42"),
     },
     lights: &[
-        Light::point(Vec3::lit("-6", "9", "6"), Color::lit("1.1", "1.05", "0.95")),
-        Light::point(Vec3::lit("8", "5", "5"), Color::lit("0.15", "0.2", "0.3")),
+        Light::point(
+            Vec3::lit("-60", "90", "60"),
+            Color::lit("1.2", "1.15", "1.05"),
+        ),
+        Light::point(
+            Vec3::lit("80", "50", "50"),
+            Color::lit("0.2", "0.25", "0.35"),
+        ),
     ],
     materials: &[
         // Red lacquer: ambient, diffuse and specular color, and a faint reflection.
@@ -44,12 +50,12 @@ pub(crate) static SCENE: Scene = Scene {
             ior: ior::GLASS,
             ..Material::BLACK
         },
-        // Gold: a mirror that reflects little blue.
+        // Gold: a mirror that reflects red best and blue least.
         Material {
-            kd: Color::lit("0.28", "0.18", "0.05"),
+            kd: Color::lit("0.28", "0.16", "0.03"),
             ks: Color::lit("0.7", "0.6", "0.4"),
             shininess: Real::lit("150"),
-            kr: Color::lit("0.68", "0.48", "0.2"),
+            kr: Color::lit("0.8", "0.52", "0.18"),
             ..Material::BLACK
         },
         // The two colors of the floor.
@@ -66,14 +72,22 @@ pub(crate) static SCENE: Scene = Scene {
         },
     ],
     objects: &[
-        Object::floor(
-            Real::ZERO,
-            Texture::Checker {
+        Object {
+            shape: Shape::Plane {
+                normal: Vec3::lit("0", "1", "0"),
+                point: Vec3::lit("0", "0", "0"),
+                bounds: ClipBox {
+                    x: Some([Real::lit("-4"), Real::lit("4")]),
+                    z: Some([Real::lit("-7"), Real::lit("5")]),
+                    ..ClipBox::NONE
+                },
+            },
+            texture: Texture::Checker {
                 size: Real::ONE,
                 axes: [Axis::X, Axis::Z],
                 materials: [MaterialId(3), MaterialId(4)],
             },
-        ),
+        },
         Object::sphere(
             Vec3::lit("0.2", "1.2", "-1"),
             Real::lit("1.2"),

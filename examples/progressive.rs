@@ -3,7 +3,7 @@
 //! `cargo run --example progressive` writes `progressive.png`: the picture after the first
 //! pass, at the press of a button, and at the end.
 
-mod common;
+pub(crate) mod common;
 
 use std::convert::Infallible;
 use std::error::Error;

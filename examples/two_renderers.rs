@@ -3,7 +3,7 @@
 //! `cargo run --release --example two_renderers` writes `two_renderers.png` and prints the
 //! times of one thread and of two.
 
-mod common;
+pub(crate) mod common;
 
 use std::error::Error;
 use std::thread;

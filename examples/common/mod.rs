@@ -1,6 +1,6 @@
 //! A display in memory that the examples draw on and save as a PNG file.
 //!
-//! In firmware, the driver of your display takes its place: each `DrawTarget` will do.
+//! In firmware, use the driver of your display instead, which is a `DrawTarget` too.
 
 #![allow(dead_code, reason = "each example uses a part of this module")]
 
@@ -10,6 +10,7 @@ use std::convert::Infallible;
 use std::error::Error;
 use std::fs::File;
 use std::io::BufWriter;
+use std::path::Path;
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::prelude::*;
@@ -70,23 +71,33 @@ impl DrawTarget for Display {
     }
 }
 
-/// Saves displays of equal size side by side, each pixel as a square of `scale` pixels.
+/// Saves displays side by side, each pixel as a square of `scale` pixels.
 ///
 /// The file is `name` in the current directory, unless the command line gives another path.
 pub(crate) fn save(name: &str, scale: u32, displays: &[Display]) -> Result<(), Box<dyn Error>> {
     let path = std::env::args().nth(1).unwrap_or_else(|| name.to_owned());
-    let (size, bytes) = side_by_side(displays, scale);
-    let file = BufWriter::new(File::create(&path)?);
-    let mut encoder = png::Encoder::new(file, size.width, size.height);
-    encoder.set_color(png::ColorType::Rgb);
-    encoder.set_compression(png::Compression::High);
-    encoder.write_header()?.write_image_data(&bytes)?;
+    write_png(path.as_ref(), scale, displays)?;
     println!("wrote {path}");
     Ok(())
 }
 
+/// Writes a PNG file of displays side by side, which must have one size.
+pub(crate) fn write_png(
+    path: &Path,
+    scale: u32,
+    displays: &[Display],
+) -> Result<(), Box<dyn Error>> {
+    let (size, bytes) = side_by_side(displays, scale);
+    let file = BufWriter::new(File::create(path)?);
+    let mut encoder = png::Encoder::new(file, size.width, size.height);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_compression(png::Compression::High);
+    encoder.write_header()?.write_image_data(&bytes)?;
+    Ok(())
+}
+
 /// Returns the size and the bytes, 3 a pixel, of displays side by side on white.
-pub(crate) fn side_by_side(displays: &[Display], scale: u32) -> (Size, Vec<u8>) {
+fn side_by_side(displays: &[Display], scale: u32) -> (Size, Vec<u8>) {
     let Size { width, height } = displays.first().map_or(Size::zero(), |first| first.size);
     let pitch = width * scale + GAP;
     let size = Size::new(

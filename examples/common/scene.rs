@@ -1,10 +1,10 @@
 //! The scene of those examples that are about drawing, not about scenes.
 
 use embedded_graphics::prelude::Size;
-use whitted::scene::{Axis, ior};
+use whitted::scene::{Axis, ClipBox, ior};
 use whitted::{
     Background, Camera, Color, Light, Material, MaterialId, Object, Real, Scene, SceneBuffer,
-    Texture, Vec3,
+    Shape, Texture, Vec3,
 };
 
 /// Size of the picture in pixels.
@@ -23,12 +23,18 @@ const LIGHT: MaterialId = MaterialId(5);
 /// A sphereflake of 1,885 golden spheres on a polished floor, at dusk.
 pub(crate) static SCENE: Scene = Scene {
     background: Background::Gradient {
-        horizon: Color::lit("0.72", "0.42", "0.30"),
-        zenith: Color::lit("0.03", "0.06", "0.26"),
+        horizon: Color::lit("0.34", "0.46", "0.68"),
+        zenith: Color::lit("0.02", "0.05", "0.26"),
     },
     lights: &[
-        Light::point(Vec3::lit("-6", "8", "7"), Color::lit("1.15", "1.05", "0.9")),
-        Light::point(Vec3::lit("9", "5", "3"), Color::lit("0.2", "0.2", "0.4")),
+        Light::point(
+            Vec3::lit("-60", "80", "70"),
+            Color::lit("1.25", "1.12", "0.92"),
+        ),
+        Light::point(
+            Vec3::lit("90", "50", "30"),
+            Color::lit("0.2", "0.22", "0.4"),
+        ),
     ],
     materials: &[
         Material {
@@ -75,14 +81,22 @@ pub(crate) static SCENE: Scene = Scene {
         },
     ],
     objects: &[
-        Object::floor(
-            Real::ZERO,
-            Texture::Checker {
+        Object {
+            shape: Shape::Plane {
+                normal: Vec3::lit("0", "1", "0"),
+                point: Vec3::lit("0", "0", "0"),
+                bounds: ClipBox {
+                    x: Some([Real::lit("-4"), Real::lit("4")]),
+                    z: Some([Real::lit("-7"), Real::lit("4")]),
+                    ..ClipBox::NONE
+                },
+            },
+            texture: Texture::Checker {
                 size: Real::ONE,
                 axes: [Axis::X, Axis::Z],
                 materials: [DARK, LIGHT],
             },
-        ),
+        },
         Object::sphereflake(Vec3::lit("0.1", "1.42", "-0.6"), Real::lit("0.8"), 3, GOLD),
         Object::sphere(Vec3::lit("-1.55", "0.62", "1.3"), Real::lit("0.62"), GLASS),
         Object::sphere(Vec3::lit("1.7", "0.5", "0.9"), Real::lit("0.5"), CHROME),
