@@ -29,6 +29,7 @@ pub(crate) static SCENE: Scene = Scene {
         Color::gray(Real::lit("1.25")),
     )],
     materials: &[
+        // 0: orange.
         Material {
             ka: Color::lit("0.1", "0.04", "0.01"),
             kd: Color::lit("0.85", "0.3", "0.05"),
@@ -36,17 +37,20 @@ pub(crate) static SCENE: Scene = Scene {
             shininess: Real::lit("50"),
             ..Material::BLACK
         },
+        // 1: mirror.
         Material {
             ks: Color::gray(Real::lit("0.6")),
             shininess: Real::lit("150"),
             kr: Color::gray(Real::lit("0.8")),
             ..Material::BLACK
         },
+        // 2: white squares of the floor.
         Material {
             ka: Color::gray(Real::lit("0.1")),
             kd: Color::gray(Real::lit("0.7")),
             ..Material::BLACK
         },
+        // 3: green squares of the floor.
         Material {
             ka: Color::lit("0.01", "0.04", "0.03"),
             kd: Color::lit("0.06", "0.28", "0.2"),

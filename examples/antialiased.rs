@@ -28,17 +28,20 @@ pub(crate) static SCENE: Scene = Scene {
         Color::lit("1.2", "1.12", "1.05"),
     )],
     materials: &[
+        // 0: mirror.
         Material {
             ks: Color::gray(Real::lit("0.6")),
             shininess: Real::lit("150"),
             kr: Color::lit("0.82", "0.84", "0.88"),
             ..Material::BLACK
         },
+        // 1: white squares of the floor.
         Material {
             ka: Color::gray(Real::lit("0.12")),
             kd: Color::lit("0.75", "0.72", "0.66"),
             ..Material::BLACK
         },
+        // 2: crimson, for the other squares and the small ball.
         Material {
             ka: Color::lit("0.06", "0.01", "0.03"),
             kd: Color::lit("0.4", "0.05", "0.14"),

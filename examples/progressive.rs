@@ -5,7 +5,6 @@
 
 pub(crate) mod common;
 
-use std::convert::Infallible;
 use std::error::Error;
 
 use common::Display;
@@ -21,40 +20,32 @@ pub(crate) fn draw<D>(
     renderer: &mut Renderer<'_>,
     progress: &mut RenderProgress,
     display: &mut D,
-    watchdog: &mut Watchdog,
-    button: &mut Button,
+    board: &mut Board,
 ) -> Result<(), D::Error>
 where
     D: DrawTarget<Color: DisplayColor>,
 {
-    while !progress.is_complete() && !button.is_pressed() {
+    while !progress.is_complete() && !board.is_button_pressed() {
         // 800 rays take about 10 ms on a Cortex-M0+ at 133 MHz.
         renderer.step(progress, Step::Rays(800), display)?;
-        watchdog.feed();
+        board.feed_watchdog();
     }
     Ok(())
 }
 
-/// Stands for the watchdog timer of a microcontroller.
-#[derive(Debug, Default)]
-pub(crate) struct Watchdog {
-    pub(crate) feeds: u32,
-}
-
-impl Watchdog {
-    fn feed(&mut self) {
-        self.feeds += 1;
-    }
-}
-
-/// Stands for a button that the user presses after a number of steps.
+/// Stands for the watchdog and the button of a microcontroller board.
 #[derive(Debug)]
-pub(crate) struct Button {
-    pub(crate) steps_until_pressed: u32,
+pub(crate) struct Board {
+    watchdog_feeds: u32,
+    steps_until_pressed: u32,
 }
 
-impl Button {
-    fn is_pressed(&mut self) -> bool {
+impl Board {
+    fn feed_watchdog(&mut self) {
+        self.watchdog_feeds += 1;
+    }
+
+    fn is_button_pressed(&mut self) -> bool {
         let is_pressed = self.steps_until_pressed == 0;
         self.steps_until_pressed = self.steps_until_pressed.saturating_sub(1);
         is_pressed
@@ -62,39 +53,34 @@ impl Button {
 }
 
 /// Returns the display after the first pass, when the button is pressed, and at the end.
-pub(crate) fn pictures(watchdog: &mut Watchdog) -> Result<[Display; 3], Box<dyn Error>> {
+///
+/// Also returns how often the watchdog was fed.
+pub(crate) fn pictures() -> Result<([Display; 3], u32), Box<dyn Error>> {
     let mut buffer = Buffer::new();
     let scene = buffer.prepare(&SCENE)?;
     let mut renderer = Renderer::new(&scene, SIZE);
     let mut display = Display::new(SIZE);
     let mut progress = RenderProgress::progressive(display.bounding_box());
+    let mut board = Board {
+        watchdog_feeds: 0,
+        steps_until_pressed: 3,
+    };
 
     // The first pass draws blocks of 16 by 16 pixels: 1/256 of the work.
     renderer.step(&mut progress, Step::Pass, &mut display)?;
-    let after_first_pass = display.clone();
+    let first_pass = display.clone();
 
-    let mut continue_until = |steps_until_pressed| -> Result<Display, Infallible> {
-        let mut button = Button {
-            steps_until_pressed,
-        };
-        draw(
-            &mut renderer,
-            &mut progress,
-            &mut display,
-            watchdog,
-            &mut button,
-        )?;
-        Ok(display.clone())
-    };
-    // The firmware now does what the button asks for, and later completes the picture.
-    let at_press = continue_until(3)?;
-    let at_end = continue_until(u32::MAX)?;
-    Ok([after_first_pass, at_press, at_end])
+    draw(&mut renderer, &mut progress, &mut display, &mut board)?;
+    let at_press = display.clone();
+
+    // Firmware now does what the button asks for. This example completes the picture.
+    board.steps_until_pressed = u32::MAX;
+    draw(&mut renderer, &mut progress, &mut display, &mut board)?;
+    Ok(([first_pass, at_press, display], board.watchdog_feeds))
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let mut watchdog = Watchdog::default();
-    let pictures = pictures(&mut watchdog)?;
-    println!("fed the watchdog {} times", watchdog.feeds);
+    let (pictures, watchdog_feeds) = pictures()?;
+    println!("fed the watchdog {watchdog_feeds} times");
     common::save("progressive.png", 2, &pictures)
 }

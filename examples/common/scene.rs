@@ -37,6 +37,7 @@ pub(crate) static SCENE: Scene = Scene {
         ),
     ],
     materials: &[
+        // Gold.
         Material {
             ka: Color::lit("0.10", "0.065", "0.02"),
             kd: Color::lit("0.58", "0.38", "0.12"),
@@ -45,6 +46,7 @@ pub(crate) static SCENE: Scene = Scene {
             kr: Color::lit("0.34", "0.25", "0.12"),
             ..Material::BLACK
         },
+        // Glass.
         Material {
             ks: Color::gray(Real::lit("0.6")),
             shininess: Real::lit("300"),
@@ -53,12 +55,14 @@ pub(crate) static SCENE: Scene = Scene {
             ior: ior::GLASS,
             ..Material::BLACK
         },
+        // Chrome.
         Material {
             ks: Color::gray(Real::lit("0.6")),
             shininess: Real::lit("200"),
             kr: Color::lit("0.80", "0.82", "0.85"),
             ..Material::BLACK
         },
+        // Coral.
         Material {
             ka: Color::lit("0.10", "0.025", "0.02"),
             kd: Color::lit("0.75", "0.16", "0.11"),
@@ -67,12 +71,14 @@ pub(crate) static SCENE: Scene = Scene {
             kr: Color::gray(Real::lit("0.06")),
             ..Material::BLACK
         },
+        // Dark squares of the floor.
         Material {
             ka: Color::lit("0.01", "0.02", "0.05"),
             kd: Color::lit("0.04", "0.09", "0.18"),
             kr: Color::gray(Real::lit("0.3")),
             ..Material::BLACK
         },
+        // Light squares of the floor.
         Material {
             ka: Color::lit("0.11", "0.10", "0.10"),
             kd: Color::lit("0.62", "0.56", "0.50"),
