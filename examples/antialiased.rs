@@ -1,0 +1,96 @@
+//! A picture with smooth edges beside the plain one.
+//!
+//! `cargo run --example antialiased` writes `antialiased.png`, 4 times as large.
+
+pub(crate) mod common;
+
+use std::error::Error;
+
+use common::Display;
+use embedded_graphics::prelude::*;
+use whitted::render::{AaSample, AntialiasedRenderer, SampleCount};
+use whitted::scene::Axis;
+use whitted::{
+    Background, Camera, Color, Light, Material, MaterialId, Object, Real, Renderer, Scene,
+    SceneBuffer, Texture, Vec3,
+};
+
+pub(crate) const SIZE: Size = Size::new(96, 80);
+
+/// A mirror ball on a checkerboard: edges, reflected edges and highlights.
+pub(crate) static SCENE: Scene = Scene {
+    background: Background::Gradient {
+        horizon: Color::lit("0.85", "0.70", "0.52"),
+        zenith: Color::lit("0.14", "0.22", "0.5"),
+    },
+    lights: &[Light::point(
+        Vec3::lit("-50", "80", "60"),
+        Color::lit("1.2", "1.12", "1.05"),
+    )],
+    materials: &[
+        // 0: mirror.
+        Material {
+            ks: Color::gray(Real::lit("0.6")),
+            shininess: Real::lit("150"),
+            kr: Color::lit("0.82", "0.84", "0.88"),
+            ..Material::BLACK
+        },
+        // 1: white squares of the floor.
+        Material {
+            ka: Color::gray(Real::lit("0.12")),
+            kd: Color::lit("0.75", "0.72", "0.66"),
+            ..Material::BLACK
+        },
+        // 2: crimson, for the other squares and the small ball.
+        Material {
+            ka: Color::lit("0.06", "0.01", "0.03"),
+            kd: Color::lit("0.4", "0.05", "0.14"),
+            ..Material::BLACK
+        },
+    ],
+    objects: &[
+        Object::floor(
+            Real::ZERO,
+            Texture::Checker {
+                size: Real::lit("0.8"),
+                axes: [Axis::X, Axis::Z],
+                materials: [MaterialId(1), MaterialId(2)],
+            },
+        ),
+        Object::sphere(
+            Vec3::lit("0", "1.15", "0"),
+            Real::lit("1.15"),
+            MaterialId(0),
+        ),
+        Object::sphere(
+            Vec3::lit("1.5", "0.35", "1.3"),
+            Real::lit("0.35"),
+            MaterialId(2),
+        ),
+    ],
+    ..Scene::new(Camera::new(
+        Vec3::lit("1.6", "2.1", "7"),
+        Vec3::lit("0.2", "0.95", "0"),
+        Real::lit("27"),
+    ))
+};
+
+/// Returns the plain picture and the one with smooth edges.
+pub(crate) fn pictures() -> Result<[Display; 2], Box<dyn Error>> {
+    let mut buffer = SceneBuffer::<3, 1, 3>::new();
+    let scene = buffer.prepare(&SCENE)?;
+
+    let mut plain = Display::new(SIZE);
+    Renderer::new(&scene, SIZE).draw(&mut plain)?;
+
+    // Two lines of samples, 16 bytes each: 3 KB. `SampleCount::Four` traces 4 more rays
+    // in each pixel that differs from a neighbor, and 1 ray in all others.
+    let mut smooth = Display::new(SIZE);
+    let mut memory = [AaSample::BLACK; 2 * SIZE.width as usize];
+    AntialiasedRenderer::new(&scene, SIZE, SampleCount::Four, &mut memory)?.draw(&mut smooth)?;
+    Ok([plain, smooth])
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    common::save("antialiased.png", 4, &pictures()?)
+}

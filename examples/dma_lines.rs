@@ -1,0 +1,69 @@
+//! Two line buffers: DMA sends one while the next line is traced into the other.
+//!
+//! `cargo run --example dma_lines` writes `dma_lines.png`.
+
+pub(crate) mod common;
+
+use std::error::Error;
+use std::thread::{self, JoinHandle};
+
+use common::Display;
+use common::scene::{Buffer, SCENE, SIZE};
+use embedded_graphics::pixelcolor::Rgb565;
+use embedded_graphics::prelude::*;
+use whitted::{PreparedScene, Renderer};
+
+/// A line of pixels: 320 bytes. In firmware, a `&'static mut [Rgb565; 160]`.
+type Line = Box<[Rgb565; SIZE.width as usize]>;
+
+/// Draws the picture with two line buffers, whose first contents do not matter.
+pub(crate) fn draw(scene: &PreparedScene<'_>, display: Display, lines: [Line; 2]) -> Display {
+    let [mut first, mut free] = lines;
+    let mut renderer = Renderer::new(scene, SIZE);
+    renderer.render_line(0, first.as_mut_slice());
+    let mut transfer = Transfer::start(display, 0, first);
+    for y in 1..SIZE.height {
+        // The renderer has the free buffer, the DMA has the other.
+        renderer.render_line(y, free.as_mut_slice());
+        let (display, sent) = transfer.wait();
+        transfer = Transfer::start(display, y, free);
+        free = sent;
+    }
+    transfer.wait().0
+}
+
+/// A DMA transfer, simulated by a thread.
+///
+/// It owns the display and the line buffer until it ends, as the transfers of embedded HALs
+/// do, so the compiler rejects code that writes to a line which is being sent.
+struct Transfer(JoinHandle<(Display, Line)>);
+
+impl Transfer {
+    /// Starts to send line `y`.
+    fn start(mut display: Display, y: u32, line: Line) -> Self {
+        Self(thread::spawn(move || {
+            display.show_line(y, line.as_slice());
+            (display, line)
+        }))
+    }
+
+    /// Waits for the end of the transfer.
+    fn wait(self) -> (Display, Line) {
+        match self.0.join() {
+            Ok(display_and_line) => display_and_line,
+            Err(panic) => std::panic::resume_unwind(panic),
+        }
+    }
+}
+
+/// Draws the picture on a black display.
+pub(crate) fn picture() -> Result<Display, Box<dyn Error>> {
+    let mut buffer = Buffer::new();
+    let scene = buffer.prepare(&SCENE)?;
+    let line = || Line::new([Rgb565::BLACK; SIZE.width as usize]);
+    Ok(draw(&scene, Display::new(SIZE), [line(), line()]))
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    common::save("dma_lines.png", 2, &[picture()?])
+}
