@@ -36,7 +36,7 @@ pub(crate) use low_precision::{normalize_q16, to_q12, to_q16};
 pub(crate) use normalization::{MAX_EXPONENT, Normalization};
 pub(crate) use plane::Plane;
 pub(crate) use point::{NEAR, Point, are_near};
-pub(crate) use primitive::PrimitivePart;
+pub(crate) use primitive::{PrimitivePart, SurfacePoint};
 pub(crate) use ray::Ray;
 pub(crate) use shadow_segment::ShadowSegment;
 pub(crate) use shape::{Shape, extend, max_exponent, validate};

@@ -72,6 +72,9 @@ pub enum ShapeKind {
 /// # Ok::<(), whitted::SceneError>(())
 /// ```
 pub trait Observer {
+    /// False if [`node`](Self::node) does nothing, so that its argument need not be computed.
+    const OBSERVES_NODES: bool = true;
+
     /// Called before a ray is traced.
     fn ray(&mut self, kind: RayKind) {
         let _ = kind;
@@ -135,4 +138,6 @@ pub(crate) fn weight_to_real(weight: Color<Weight>) -> Color<Real> {
     weight.map(|weight| Real::from_bits((i64::from(weight.to_bits()) + 8) >> 4 << 4))
 }
 
-impl Observer for () {}
+impl Observer for () {
+    const OBSERVES_NODES: bool = false;
+}

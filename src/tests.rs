@@ -3,5 +3,5 @@
 mod arithmetic;
 mod error_bounds;
 mod exact;
-mod largest_error;
-mod random;
+pub(crate) mod largest_error;
+pub(crate) mod random;

@@ -78,8 +78,7 @@ fn prints_that_the_scene_is_shown() -> Outcome {
 fn prints_why_the_board_refuses_a_scene() -> Outcome {
     let why = "too many objects: the buffer holds 2";
     let output = send(|ticket| vec![line(Answer::Refused { ticket, why })])?;
-    let expected =
-        "error: PORT: the board refuses the scene: too many objects: the buffer holds 2
+    let expected = "error: PORT: the board refuses the scene: too many objects: the buffer holds 2
   help: flash firmware of the same version as this program, or leave something out of the scene\n";
     assert_eq!(output, Err(expected.to_owned()));
     Ok(())

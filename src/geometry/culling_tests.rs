@@ -9,7 +9,7 @@ use super::bounding_sphere::BoundingSphere;
 use super::cull_sphere::CullSphere;
 use super::light_cone::LightCone;
 use super::low_precision::{normalize_q16, to_q12, to_q16};
-use crate::math::{Length, Unit, Vec3, vector};
+use crate::math::{Length, Unit, Vec3, direction};
 
 fn point(random: &mut Rng, reach: f64) -> Vec3<Length> {
     let mut c = || Length::from_num((2.0 * random.f64() - 1.0) * reach);

@@ -5,7 +5,7 @@ use super::clip_box::ClipBox;
 use super::extent::Extent;
 use super::normalization::{Normalization, OFFSET_BITS};
 use super::point::{HORIZON, NEAR, Point};
-use super::primitive::{AuthoredShape, Primitive, PrimitivePart};
+use super::primitive::{AuthoredShape, Primitive, PrimitivePart, SurfacePoint};
 use super::ray::Ray;
 use super::shadow_segment::ShadowSegment;
 use super::surface::SurfaceFlags;
@@ -253,11 +253,11 @@ impl Plane {
             let ray = segment.to_ray();
             ray.at_extended(self.unclipped_distance(&ray)?)
         };
-        self.covers(&crossing).then_some(crossing)
+        self.is_inside_clip_box(&crossing).then_some(crossing)
     }
 
     /// Returns true if a point of the plane is inside the clip box.
-    fn covers(&self, point: &Point) -> bool {
+    fn is_inside_clip_box(&self, point: &Point) -> bool {
         self.clip_box
             .as_ref()
             .is_none_or(|clip_box| clip_box.contains(point))
@@ -324,13 +324,18 @@ impl Primitive for Plane {
         if is_origin {
             return None;
         }
-        self.unclipped_distance(ray)
-            .filter(|distance| self.clip_box.is_none() || self.covers(&ray.at_extended(*distance)))
+        self.unclipped_distance(ray).filter(|distance| {
+            self.clip_box.is_none() || self.is_inside_clip_box(&ray.at_extended(*distance))
+        })
+    }
+
+    fn covers(&self, point: &Point) -> bool {
+        self.is_inside_clip_box(point)
     }
 
     #[inline(always)]
-    fn normal(&self, point: &Point, _: &PrimitivePart, check_bounds: bool) -> Option<Vec3<Unit>> {
-        (!check_bounds || self.covers(point)).then_some(self.normal)
+    fn surface_at(&self, _: &Point, _: &PrimitivePart) -> SurfacePoint {
+        SurfacePoint::new(self.normal)
     }
 
     #[inline(always)]
@@ -338,13 +343,16 @@ impl Primitive for Plane {
         &self,
         segment: &ShadowSegment<'_>,
         _: bool,
-        _: bool,
+        any: bool,
         observer: &mut impl Observer,
     ) -> Option<u8> {
         let ray = segment.ray;
-        let is_crossed = self.separates(*segment.light, ray.origin, ray.direction);
+        let mut is_crossed = self.separates(*segment.light, ray.origin, ray.direction);
         if is_crossed && self.clip_box.is_some() {
-            return None;
+            if !any {
+                return None;
+            }
+            is_crossed = self.segment_crossing(segment).is_some();
         }
         observer.test(ShapeKind::Plane, is_crossed);
         Some(is_crossed.into())

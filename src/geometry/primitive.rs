@@ -47,6 +47,23 @@ pub(crate) struct PrimitivePart {
     pub(crate) normal: Vec3<Unit>,
 }
 
+/// Properties of a surface at a hit point.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SurfacePoint {
+    /// Outward unit normal.
+    pub(crate) normal: Vec3<Unit>,
+    /// Part of a composite shape; 0 for other shapes.
+    pub(crate) part: u32,
+}
+
+impl SurfacePoint {
+    /// A point of a shape without parts.
+    #[inline(always)]
+    pub(super) fn new(normal: Vec3<Unit>) -> Self {
+        Self { normal, part: 0 }
+    }
+}
+
 /// The prepared form of a shape: what rays are tested against.
 ///
 /// Distances come first, for every object that a ray may hit. The normal is computed for the
@@ -93,10 +110,14 @@ pub(crate) trait Primitive: Fields {
         None
     }
 
-    /// Outward unit normal at a hit point. `None` if `check_bounds` is set and the point is
-    /// outside of the shape's clip box.
-    fn normal(&self, point: &Point, part: &PrimitivePart, check_bounds: bool)
-    -> Option<Vec3<Unit>>;
+    /// Returns true if a point of the unclipped surface belongs to the shape.
+    fn covers(&self, point: &Point) -> bool {
+        let _ = point;
+        true
+    }
+
+    /// Surface properties at a hit point.
+    fn surface_at(&self, point: &Point, part: &PrimitivePart) -> SurfacePoint;
 
     /// Number of crossings of a shadow segment, if it is known without a square root.
     ///

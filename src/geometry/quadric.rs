@@ -6,6 +6,8 @@
 pub(super) mod cone;
 pub(super) mod cylinder;
 pub(super) mod ellipsoid;
+#[cfg(test)]
+mod error_bounds;
 mod form;
 pub(super) mod paraboloid;
 mod placed;
@@ -14,16 +16,14 @@ mod ratio;
 
 use super::bounding_sphere::BoundingSphere;
 use super::point::{HORIZON, Point};
-use super::primitive::{Primitive, PrimitivePart};
+use super::primitive::{Primitive, PrimitivePart, SurfacePoint};
 use super::ray::Ray;
 use super::shadow_segment::ShadowSegment;
 use super::surface::SurfaceFlags;
 use super::valid;
 use crate::archive;
 use crate::archive::{Archive, Fields};
-use crate::math::{
-    Length, Product, SoftFloat, Square, Unit, Vec3, direction, round_length, square_root,
-};
+use crate::math::{Length, Product, SoftFloat, Square, Vec3, direction, round_length, square_root};
 use crate::observer::{Observer, ShapeKind};
 use cone::Cone;
 use cylinder::Cylinder;
@@ -243,12 +243,12 @@ impl Primitive for Quadric {
         }
     }
 
-    /// Zero at the apex of a cone.
+    /// The normal is zero at the apex of a cone.
     #[inline(never)]
-    fn normal(&self, point: &Point, _: &PrimitivePart, _: bool) -> Option<Vec3<Unit>> {
+    fn surface_at(&self, point: &Point, _: &PrimitivePart) -> SurfacePoint {
         let offset = -point.to(self.center);
         let gradient = dispatch!(&self.form, form => form.gradient(offset, point.shift));
-        Some(direction(gradient).unwrap_or_default())
+        SurfacePoint::new(direction(gradient).unwrap_or_default())
     }
 
     #[inline(always)]

@@ -10,7 +10,7 @@ use super::limits;
 use super::normalization::Normalization;
 use super::plane::{self, Plane};
 use super::point::Point;
-use super::primitive::{AuthoredShape, Primitive, PrimitivePart};
+use super::primitive::{AuthoredShape, Primitive, PrimitivePart, SurfacePoint};
 #[cfg(feature = "quadrics")]
 use super::quadric::{Quadric, cone, cylinder, ellipsoid, paraboloid};
 use super::ray::Ray;
@@ -20,7 +20,7 @@ use super::sphere::{self, Sphere};
 use super::sphereflake::{self, Sphereflake};
 use super::surface::SurfaceFlags;
 use crate::archive::{Archive, Fields};
-use crate::math::{Length, SoftFloat, Unit, Vec3};
+use crate::math::{Length, SoftFloat, Vec3};
 use crate::observer::Observer;
 use crate::scene::{self, SceneError, SceneItem};
 
@@ -254,15 +254,15 @@ impl Shape {
         dispatch!(self, it => it.intersect_extended(ray, is_origin))
     }
 
-    /// See [`Primitive::normal`].
+    /// See [`Primitive::covers`].
+    pub(crate) fn covers(&self, point: &Point) -> bool {
+        dispatch!(self, it => it.covers(point))
+    }
+
+    /// See [`Primitive::surface_at`].
     #[inline(always)]
-    pub(crate) fn normal(
-        &self,
-        point: &Point,
-        part: &PrimitivePart,
-        check_bounds: bool,
-    ) -> Option<Vec3<Unit>> {
-        dispatch!(self, it => it.normal(point, part, check_bounds))
+    pub(crate) fn surface_at(&self, point: &Point, part: &PrimitivePart) -> SurfacePoint {
+        dispatch!(self, it => it.surface_at(point, part))
     }
 
     /// See [`Primitive::count_crossings`].

@@ -6,7 +6,7 @@ use super::bounding_sphere::BoundingSphere;
 use super::extent::Extent;
 use super::normalization::Normalization;
 use super::point::Point;
-use super::primitive::{AuthoredShape, Primitive, PrimitivePart};
+use super::primitive::{AuthoredShape, Primitive, PrimitivePart, SurfacePoint};
 use super::ray::Ray;
 use super::shadow_segment::ShadowSegment;
 use super::surface::SurfaceFlags;
@@ -234,8 +234,8 @@ impl Primitive for Sphere {
     }
 
     #[inline(always)]
-    fn normal(&self, point: &Point, _: &PrimitivePart, _: bool) -> Option<Vec3<Unit>> {
-        Some((point.coordinates - self.center).normalized().0)
+    fn surface_at(&self, point: &Point, _: &PrimitivePart) -> SurfacePoint {
+        SurfacePoint::new((point.coordinates - self.center).normalized().0)
     }
 
     #[inline(always)]

@@ -7,13 +7,15 @@
 
 pub(super) mod authored;
 mod child_frame;
+#[cfg(test)]
+mod error_bounds;
 mod node;
 mod parameters;
 mod traversal;
 
 use super::bounding_sphere::BoundingSphere;
 use super::point::Point;
-use super::primitive::{Primitive, PrimitivePart};
+use super::primitive::{Primitive, PrimitivePart, SurfacePoint};
 use super::ray::Ray;
 use super::shadow_segment::ShadowSegment;
 use super::surface::{OriginSurface, SurfaceFlags};
@@ -262,8 +264,11 @@ impl Primitive for Sphereflake {
         Some(distance)
     }
 
-    fn normal(&self, _: &Point, part: &PrimitivePart, _: bool) -> Option<Vec3<Unit>> {
-        Some(part.normal)
+    fn surface_at(&self, _: &Point, part: &PrimitivePart) -> SurfacePoint {
+        SurfacePoint {
+            normal: part.normal,
+            part: part.id,
+        }
     }
 
     #[inline(always)]

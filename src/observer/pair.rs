@@ -5,6 +5,8 @@ use crate::observer::{Observer, RayKind, RayNode, ShapeKind};
 pub(crate) struct Pair<'o, A, B>(pub(crate) &'o mut A, pub(crate) &'o mut B);
 
 impl<A: Observer, B: Observer> Observer for Pair<'_, A, B> {
+    const OBSERVES_NODES: bool = A::OBSERVES_NODES || B::OBSERVES_NODES;
+
     fn ray(&mut self, kind: RayKind) {
         self.0.ray(kind);
         self.1.ray(kind);

@@ -30,6 +30,8 @@ pub struct Stats {
 }
 
 impl Observer for Stats {
+    const OBSERVES_NODES: bool = false;
+
     fn ray(&mut self, kind: RayKind) {
         let counter = match kind {
             RayKind::Camera => &mut self.camera,
@@ -50,6 +52,8 @@ impl Observer for Stats {
 pub(crate) struct RayCounter(pub(crate) u32);
 
 impl Observer for RayCounter {
+    const OBSERVES_NODES: bool = false;
+
     fn ray(&mut self, _: RayKind) {
         self.0 = self.0.wrapping_add(1);
     }

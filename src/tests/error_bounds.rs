@@ -5,7 +5,7 @@
 
 use fastrand::Rng;
 
-use crate::geometry::{Plane, Sphere};
+use crate::geometry::{Plane, PrimitivePart, Ray, Shape, Sphere};
 use crate::math::{Color, Factor, Length, Unit, Vec3};
 use crate::prepare::Camera;
 use crate::render::camera_rays::CameraRays;
@@ -13,9 +13,6 @@ use crate::tests::largest_error::{LargestError, dot, length, lengths, times, uni
 use crate::tests::random;
 use crate::tests::random::{between, random_length, unit_vector};
 use crate::trace::optics;
-
-mod quadrics;
-mod sphereflake;
 
 const CASES: usize = 200_000;
 
@@ -48,33 +45,44 @@ fn camera_rays() {
 
 #[test]
 fn spheres() {
+    let part = &mut PrimitivePart::default();
     let mut random = Rng::with_seed(2);
     let mut off = LargestError::new("sphere: hit off the surface", -28, 3.0);
     let mut across = LargestError::new("sphere: far end of a chord", -28, 4.0);
     let mut turned = LargestError::new("sphere: normal", -28, 0.5);
     for _ in 0..CASES {
         let (radius, size) = random_length(&mut random, 0.02, 0.5);
-        let sphere = Sphere::new(random::point(&mut random, 0.5), radius);
+        let center = random::point(&mut random, 0.5);
+        let sphere = Shape::from(Sphere::new(center, radius));
         let ray = random::ray(&mut random);
         let (origin, view) = (ray.origin.coordinates, ray.direction);
-        let Some(distance) = sphere.distance(origin, view) else {
+        let mut intersect =
+            |ray: &Ray, is_origin| sphere.intersect(ray, is_origin, Length::MAX, part, &mut ());
+        let Some(distance) = intersect(&ray, false) else {
             continue;
         };
         let from_center = |from: Vec3<Length>, view, distance: Length| {
             let way = times(units(view), distance.to_num());
-            lengths(from) + way - lengths(sphere.center)
+            lengths(from) + way - lengths(center)
         };
         let out = from_center(origin, view, distance);
         off.add(length(out) - size);
 
-        let point = ray.at(distance).coordinates;
-        let exact = unit(lengths(point) - lengths(sphere.center));
-        let normal = sphere.normal(point);
+        let at = ray.at(distance);
+        let point = at.coordinates;
+        let exact = unit(lengths(point) - lengths(center));
+        let normal = sphere.surface_at(&at, &PrimitivePart::default()).normal;
         turned.add(length(units(normal) - exact));
 
         let inward = unit_vector(&mut random);
         if inward.cosine(normal) < 0 {
-            let out = from_center(point, inward, sphere.across(point, inward));
+            let chord = Ray {
+                origin: at,
+                direction: inward,
+                ..ray
+            };
+            let exit = intersect(&chord, true).unwrap_or_default();
+            let out = from_center(point, inward, exit);
             across.add(length(out) - size);
         }
     }
@@ -88,18 +96,20 @@ fn planes() {
     let mut random = Rng::with_seed(3);
     let mut off = LargestError::new("plane: hit off the surface", -28, 2.5);
     for _ in 0..CASES {
-        let offset = Length::from_num(between(&mut random, -0.7, 0.7))
+        let offset: i64 = Length::from_num(between(&mut random, -0.7, 0.7))
             .to_bits()
             .into();
-        let plane = Plane::new(unit_vector(&mut random), offset, None);
+        let normal = unit_vector(&mut random);
+        let plane = Shape::from(Plane::new(normal, offset, None));
         let ray = random::ray(&mut random);
-        let near = plane.distance(&ray, Length::MAX);
+        let part = &mut PrimitivePart::default();
+        let near = plane.intersect(&ray, false, Length::MAX, part, &mut ());
         let Some(distance) = near.filter(|distance| *distance < Length::MAX) else {
             continue;
         };
         let way = times(units(ray.direction), distance.to_num());
-        let height = dot(lengths(ray.origin.coordinates) + way, units(plane.normal));
-        off.add(height - plane.offset as f64 * 2_f64.powi(-28));
+        let height = dot(lengths(ray.origin.coordinates) + way, units(normal));
+        off.add(height - offset as f64 * 2_f64.powi(-28));
     }
     off.check();
 }

@@ -192,11 +192,11 @@ fn products_of_weights() {
         })
     });
     let all = Color::<Weight>::ALL;
-    assert_eq!(observer::weight(all), Color::gray(Real::ONE));
+    assert_eq!(observer::weight_to_real(all), Color::gray(Real::ONE));
     let half = all.map(|c| c / 2);
     assert_eq!(all.shared(all).narrowed(), Color::WHITE);
     assert_eq!(
-        observer::weight(all.shared(half)),
+        observer::weight_to_real(all.shared(half)),
         Color::gray(Real::ONE / 2)
     );
 }

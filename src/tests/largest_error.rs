@@ -6,35 +6,35 @@ use std::println;
 
 use crate::math::{Length, Unit, Vec3};
 
-pub(super) type Floats = Vec3<f64>;
+pub(crate) type Floats = Vec3<f64>;
 
-pub(super) fn lengths(v: Vec3<Length>) -> Floats {
+pub(crate) fn lengths(v: Vec3<Length>) -> Floats {
     v.map(Length::to_num)
 }
 
-pub(super) fn units(v: Vec3<Unit>) -> Floats {
+pub(crate) fn units(v: Vec3<Unit>) -> Floats {
     v.map(Unit::to_num)
 }
 
-pub(super) fn dot(a: Floats, b: Floats) -> f64 {
+pub(crate) fn dot(a: Floats, b: Floats) -> f64 {
     a.x * b.x + a.y * b.y + a.z * b.z
 }
 
-pub(super) fn times(a: Floats, k: f64) -> Floats {
+pub(crate) fn times(a: Floats, k: f64) -> Floats {
     a.map(|c| c * k)
 }
 
 /// Scales a vector to unit length.
-pub(super) fn unit(a: Floats) -> Floats {
+pub(crate) fn unit(a: Floats) -> Floats {
     times(a, 1.0 / length(a))
 }
 
-pub(super) fn length(a: Floats) -> f64 {
+pub(crate) fn length(a: Floats) -> f64 {
     dot(a, a).sqrt()
 }
 
 /// The largest error of a stage, in units of 2^exponent.
-pub(super) struct LargestError {
+pub(crate) struct LargestError {
     stage: &'static str,
     exponent: i32,
     bound: f64,
@@ -43,7 +43,7 @@ pub(super) struct LargestError {
 }
 
 impl LargestError {
-    pub(super) fn new(stage: &'static str, exponent: i32, bound: f64) -> Self {
+    pub(crate) fn new(stage: &'static str, exponent: i32, bound: f64) -> Self {
         Self {
             stage,
             exponent,
@@ -53,13 +53,13 @@ impl LargestError {
         }
     }
 
-    pub(super) fn add(&mut self, error: f64) {
+    pub(crate) fn add(&mut self, error: f64) {
         self.largest = self.largest.max(error.abs() * 2_f64.powi(-self.exponent));
         self.count += 1;
     }
 
     /// Prints the largest error. Fails if it exceeds the bound, or after 10,000 cases or fewer.
-    pub(super) fn check(self) {
+    pub(crate) fn check(self) {
         let Self {
             stage,
             exponent,

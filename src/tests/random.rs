@@ -28,7 +28,7 @@ pub(crate) fn ray(random: &mut Rng) -> Ray {
     Ray {
         origin: Point::near(from),
         direction: (to - from).normalized().0,
-        start: OriginSurface::NOWHERE,
+        leaves: OriginSurface::NONE,
     }
 }
 

@@ -1,5 +1,5 @@
 use super::intersect::Hit;
-use crate::geometry::{OriginSurface, PrimitivePart, Ray, SurfaceFlags, are_near};
+use crate::geometry::{OriginSurface, PrimitivePart, Ray, SurfaceFlags, SurfacePoint, are_near};
 use crate::math::{SoftFloat, Unit, Vec3};
 use crate::prepare::{Material, PreparedScene};
 
@@ -15,8 +15,6 @@ pub(super) struct Interaction<'s> {
     pub(super) normal: Vec3<Unit>,
     /// Cosine of the angle of incidence, `-V · n`: not negative.
     pub(super) cosine: Unit,
-    /// Index of the material, for observers.
-    pub(super) material_index: u16,
     pub(super) material: &'s Material,
 }
 
@@ -29,7 +27,6 @@ impl<'s> Interaction<'s> {
             ray,
             normal: Vec3::new(Unit::ZERO, Unit::ZERO, Unit::ZERO),
             cosine: Unit::ZERO,
-            material_index: 0,
             material: &BLACK,
         }
     }
@@ -66,17 +63,17 @@ impl<'s> Interaction<'s> {
         } else {
             ray.origin = hit.extended_point(object, ray);
         }
-        let Some(normal) = object.shape.normal(&ray.origin, part, check_bounds) else {
+        if check_bounds && !object.shape.covers(&ray.origin) {
             return false;
-        };
+        }
+        let SurfacePoint { normal, part } = object.shape.surface_at(&ray.origin, part);
         let is_horizontal = object.flags.intersects(SurfaceFlags::HORIZONTAL);
         let cosine = ray.direction.cosine_to_normal(normal, is_horizontal);
         let is_inside = cosine > Unit::ZERO;
-        ray.leaves = OriginSurface::new(hit.object, part.id, is_inside, object.flags);
+        ray.leaves = OriginSurface::new(hit.object, part, is_inside, object.flags);
         self.normal = if is_inside { -normal } else { normal };
         self.cosine = cosine.abs();
-        self.material_index = object.texture.material(&ray.origin);
-        self.material = scene.material(self.material_index);
+        self.material = scene.material(object.texture.material(&ray.origin));
         true
     }
 

@@ -124,8 +124,9 @@ impl<O: Observer> Tracer<'_, '_, O> {
     fn test_bounded(&mut self, nearest: &mut Nearest, spheres: &[CullSphere], ray: &Ray) {
         let origin = to_q12(ray.origin.coordinates);
         let direction = to_q16(ray.direction);
+        let skipped = ray.leaves.skipped;
         for sphere in spheres {
-            if sphere.may_hit(origin, direction) && sphere.object != ray.leaves.skipped {
+            if sphere.may_hit(origin, direction) && sphere.object != skipped {
                 self.test(nearest, sphere.object, ray);
             }
         }

@@ -155,7 +155,7 @@ mod tests {
 
     use super::*;
     use crate::geometry::{OriginSurface, Point, Ray};
-    use crate::math::direction;
+    use crate::math::{Length, Vec3, direction};
     use crate::prepare::Material;
     use crate::trace::optics;
 
@@ -193,7 +193,6 @@ mod tests {
                 ray,
                 normal,
                 cosine,
-                material_index: 0,
                 material: &material,
             };
             let mirrored = optics::mirrored(view, normal, cosine);

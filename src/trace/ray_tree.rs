@@ -181,14 +181,22 @@ impl<'s, O: Observer> Tracer<'_, 's, O> {
         path: PathState,
         local: Color<Radiance>,
     ) {
+        if !O::OBSERVES_NODES {
+            return;
+        }
+        let scene = self.scene;
+        let material = |it: &Interaction<'_>| {
+            let object = scene.object(it.object());
+            object.texture.material(&it.ray.origin)
+        };
         self.observer.node(&RayNode {
             kind: path.kind,
             generation: path.depth,
             weight: weight_to_real(path.throughput),
             object: interaction.map(Interaction::object),
-            material: interaction.map(|it| it.material_index),
+            material: interaction.map(material),
             inside: interaction.is_some_and(Interaction::is_inside),
-            local: local.brightened(self.scene.settings.exposure.into()),
+            local: local.brightened(scene.settings.exposure.into()),
         });
     }
 }

@@ -116,11 +116,11 @@ impl AuthoredShape for Authored {
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Cone {
     /// Scale of x and z: 1/2, or less for a flat cone.
-    radial: Unit,
+    pub(super) radial: Unit,
     /// Scale of y: 1/2, or less for a steep cone; negative where the radius grows with y.
-    axial: Unit,
+    pub(super) axial: Unit,
     /// Scaled radius at the center; negative beyond the apex.
-    radius: Length,
+    pub(super) radius: Length,
 }
 
 impl Cone {

@@ -69,7 +69,7 @@ impl AuthoredShape for Authored {
 /// A cylinder around the y axis.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Cylinder {
-    radius: Length,
+    pub(super) radius: Length,
 }
 
 impl QuadricForm for Cylinder {

@@ -67,9 +67,9 @@ impl AuthoredShape for Authored {
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Ellipsoid {
     /// Shortest radius divided by each radius: at most 1.
-    axis_scale: Vec3<Unit>,
+    pub(super) axis_scale: Vec3<Unit>,
     /// Shortest radius.
-    radius: Length,
+    pub(super) radius: Length,
 }
 
 impl Ellipsoid {

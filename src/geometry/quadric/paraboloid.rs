@@ -76,11 +76,11 @@ fn root(x: Real) -> i64 {
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Paraboloid {
     /// Square of the scaled radius at the center.
-    radius_squared: I8F56,
+    pub(super) radius_squared: I8F56,
     /// x and z are scaled by `2^-shift`.
-    shift: u8,
+    pub(super) shift: u8,
     /// `g = 2^-g_log2`: 0 to 31.
-    g_log2: u8,
+    pub(super) g_log2: u8,
 }
 
 impl Paraboloid {

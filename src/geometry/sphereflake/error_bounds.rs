@@ -3,12 +3,12 @@
 use fastrand::Rng;
 use fixed::types::U0F32;
 
-use crate::geometry::{Sphereflake, SphereflakeParams};
+use super::parameters::{Sphereflake, SphereflakeParams};
 use crate::math::{Length, Unit, Vec3};
 use crate::tests::largest_error::{Floats, LargestError, length, lengths, times, unit, units};
 use crate::tests::random;
 
-use super::CASES;
+const CASES: usize = 200_000;
 
 /// Computes center and radius of one sphere of an upright sphereflake in double precision.
 ///
@@ -73,7 +73,7 @@ fn sphereflakes() {
         let (center, radius) = center_of(hit.path, 0.45, 1.0 / 3.0);
         let out = times(lengths(point.coordinates) - center, 1.0 / radius);
         off.add(length(out) - 1.0);
-        turned.add(length(units(flake.normal(&hit)) - unit(out)));
+        turned.add(length(units(flake.normal_of(&hit)) - unit(out)));
     }
     off.check();
     turned.check();
