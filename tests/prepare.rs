@@ -175,7 +175,7 @@ fn rejects_invalid_spheres() {
     };
     assert_eq!(
         object_error(dangling),
-        "object 1: material refers to material 7, but there are only 3, numbered from 0"
+        "object 1: material refers to material 7, but the number of materials is 1"
     );
 }
 

@@ -99,3 +99,15 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize>
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn items_have_documented_sizes() {
+        assert_eq!(size_of::<Object>(), 144);
+        assert_eq!(size_of::<Light>(), 72);
+        assert_eq!(size_of::<Material>(), 168);
+    }
+}

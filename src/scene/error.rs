@@ -154,7 +154,7 @@ impl fmt::Display for SceneProblem {
             }
             Self::NoSuchMaterial { index, count } => write!(
                 f,
-                "refers to material {index}, but there are only {count}, numbered from 0"
+                "refers to material {index}, but the number of materials is {count}"
             ),
             Self::TooMany { capacity } => {
                 write!(f, "exceed the buffer's capacity of {capacity}")
