@@ -1,5 +1,10 @@
 #![no_std]
 #![forbid(unsafe_code)]
+// Code that several features share has no caller without them.
+#![cfg_attr(
+    not(all(feature = "glass", feature = "quadrics", feature = "sphereflake")),
+    allow(dead_code, unused_imports)
+)]
 //! Whitted ray tracing in fixed point, for microcontroller displays.
 //!
 //! The crate draws spheres, quadrics, planes and sphereflakes with reflections, refractions,
@@ -75,6 +80,7 @@
 //!
 //! [`DrawTarget`]: embedded_graphics_core::draw_target::DrawTarget
 
+#[cfg(feature = "animation")]
 pub mod animation;
 mod archive;
 pub mod codec;

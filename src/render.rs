@@ -5,6 +5,7 @@
 //! the progress of stepwise drawing, [`AntialiasedRenderer`] smooths edges, [`DirtyLines`] skips
 //! unchanged pixels, and [`Output`] selects dithering and encoding.
 
+#[cfg(feature = "antialiasing")]
 mod antialias;
 pub(crate) mod camera_rays;
 mod column_range;
@@ -23,6 +24,7 @@ mod scanline_rays;
 #[cfg(test)]
 mod tests;
 
+#[cfg(feature = "antialiasing")]
 pub use antialias::{AaSample, AntialiasError, AntialiasedRenderer, SampleCount};
 pub use dirty_lines::DirtyLines;
 pub use display_color::DisplayColor;

@@ -172,7 +172,8 @@ impl Sphereflake {
         for generation in (0..generations).rev() {
             normal = child_frame::to_parent(normal, hit.path >> (4 * generation) & 15);
         }
-        self.to_scene(normal.map(Unit::from_bits)).renormalized()
+        self.local_to_world(normal.map(Unit::from_bits))
+            .renormalized()
     }
 
     /// Visits the spheres that the line of a ray crosses ahead of the origin, up to `t_max`,

@@ -51,7 +51,7 @@ mod tests {
             let d = random.u32(1..1 << 31) >> random.u32(..31);
             check(random.u32(..1 << 31) >> random.u32(..31), d);
             // Numerators around the threshold, where the forms may differ.
-            let threshold = 2 * u64::from(d) - (u64::from(d) * 1025 >> 30);
+            let threshold = 2 * u64::from(d) - ((u64::from(d) * 1025) >> 30);
             for n in threshold.saturating_sub(4)..=threshold + 4 {
                 if let Ok(n) = u32::try_from(n) {
                     check(n, d);

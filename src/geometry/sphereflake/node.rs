@@ -72,11 +72,11 @@ impl Node {
             round_radii(c.product(flake.inverse_radius.to_bits()))
         });
         let node = Self {
-            foot: flake.to_local(foot, |v, axis| {
+            foot: flake.world_to_local(foot, |v, axis| {
                 let Vec3 { x, y, z } = v.zip(axis, Radii::product);
                 round_radii((x + y + z).to_bits())
             }),
-            direction: flake.to_local(d, Vec3::cosine),
+            direction: flake.world_to_local(d, Vec3::cosine),
             distance: i64::from(distance) << 32,
             radius,
             bound: flake.bound,

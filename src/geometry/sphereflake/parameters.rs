@@ -145,7 +145,7 @@ impl Sphereflake {
     /// Converts a vector of the scene to the frame of the root sphere; `along` computes a
     /// dot product with an axis.
     #[inline(always)]
-    pub(super) fn to_local<T: Copy + Neg<Output = T>>(
+    pub(super) fn world_to_local<T: Copy + Neg<Output = T>>(
         &self,
         v: Vec3<T>,
         along: impl Fn(Vec3<T>, Vec3<Unit>) -> T,
@@ -158,7 +158,7 @@ impl Sphereflake {
 
     /// Converts a unit vector of the root sphere's frame to the scene.
     #[inline(always)]
-    pub(super) fn to_scene(&self, Vec3 { x, y, z }: Vec3<Unit>) -> Vec3<Unit> {
+    pub(super) fn local_to_world(&self, Vec3 { x, y, z }: Vec3<Unit>) -> Vec3<Unit> {
         if self.is_upright {
             return Vec3::new(x, z, -y);
         }
