@@ -13,10 +13,7 @@ use measure::Stopwatch;
 use mps2::{Blind, Job};
 use whitted::{DecodeError, PreparedScene, Renderer, SceneBuffer};
 
-#[cfg(not(feature = "crowd"))]
 type Buffer = SceneBuffer<64, 8, 64>;
-#[cfg(feature = "crowd")]
-type Buffer = SceneBuffer<256, 1, 1>;
 type File = [u8; 16 * 1024];
 
 /// What keeps its size is static, so that the stack holds calls alone. Each part is a
