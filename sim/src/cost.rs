@@ -1,19 +1,14 @@
-//! What a frame will take on a microcontroller, without having one.
+//! Estimates the time of a frame on a microcontroller.
 //!
-//! ```text
-//! Renderer ── Work (an Observer) ──> amounts ── Model ──> instructions ── Board ──> seconds
-//! ```
-//!
-//! The renderer does the same on every target, bit by bit, so this machine can
-//! count what a frame asks for: rays, tests, hits. A core takes so many
-//! instructions for each, which `cargo xtask fit` has found from frames whose
-//! instructions QEMU counted, and which `sim/cost.toml` keeps. Cycles are those
-//! instructions times an average from the core's manual: an estimate.
+//! Every target draws the same bits, so the host can count what a frame needs: rays, intersection
+//! tests, lights. [`Work`] counts them as an observer of the renderer. `prices.rs` has the
+//! instructions for one of each on every core, fitted by `cargo xtask fit` to instruction counts
+//! from QEMU. A [`Board`] turns instructions into seconds.
 
 mod board;
-mod model;
+mod prices;
 mod work;
 
 pub use board::{BOARDS, Board};
-pub use model::{Core, Model};
-pub use work::{ITEMS, Item, Work};
+pub use prices::COUNTED;
+pub use work::{ITEMS, Work};

@@ -56,6 +56,7 @@ impl Rotation {
 
     /// Creates a rotation by -45 to 45 degrees. `angle` is in steps of 2^-32 degrees.
     fn by_less(angle: i64) -> Self {
+        #![allow(clippy::float_arithmetic, reason = "the library's only floats")]
         const RADIAN: f32 = core::f32::consts::PI / 180.0 / (1_u64 << 32) as f32;
         const ONE: f32 = (1 << 30) as f32;
         let radians = angle.unsigned_abs() as f32 * RADIAN;

@@ -1,64 +1,63 @@
-//! What a picture costs: instructions, next to those of the yardstick in
-//! floating point; flash, RAM and stack.
+//! Counts the instructions of pictures in QEMU, in fixed point and in floating point.
 
-mod budget;
 mod count;
-mod document;
 mod flash;
-mod growth;
-mod section;
+mod page;
 mod subject;
 
-use std::collections::BTreeMap;
-use std::fs;
-use std::path::Path;
+use anyhow::{Result, ensure};
 
-use anyhow::{Context, Result, ensure};
-
-use crate::command::command;
-use crate::qemu::{Arithmetic, Core, Machine};
+use crate::board;
+use crate::budget::{Budget, Counts};
+use crate::core::Core;
+use crate::firmware::LM3S6965EVB;
+use crate::size::usage;
 use count::count;
-use flash::Code;
-use subject::{SUBJECTS, Subject};
+use flash::Flash;
+use subject::{IN_BUDGET, SUBJECTS};
 
-pub use budget::{bless, check};
-pub use count::Row;
-pub use growth::run as growth;
+const BUDGET: Budget = Budget {
+    file: "xtask/budget.json",
+    bless: "cargo xtask bench --bless",
+};
 
-/// Counts, and prints the document of what was found. Where nothing was left
-/// out it replaces its section of docs/benchmarks.md, and growth is counted too.
-pub fn run(scene: Option<&str>, core: Option<Core>, json: Option<&Path>) -> Result<()> {
-    let subjects: Vec<Subject> = SUBJECTS
-        .into_iter()
-        .filter(|subject| scene.is_none_or(|scene| scene == subject.scene))
-        .collect();
-    ensure!(
-        !subjects.is_empty(),
-        "no scene of the benchmark has this name"
-    );
-    let cores = core.map_or_else(|| Core::ALL.to_vec(), |core| vec![core]);
-
-    let rows = count(&subjects, &cores, &[Arithmetic::Fixed, Arithmetic::Float])?;
-    let mut code = BTreeMap::new();
-    for core in cores {
-        let elf = Machine::of(core).firmware(Arithmetic::Fixed).build(None)?;
-        code.insert(core, Code::of(&elf)?);
-    }
-    if let Some(file) = json {
-        fs::write(file, serde_json::to_string_pretty(&rows)? + "\n")
-            .with_context(|| file.display().to_string())?;
-    }
-    let document = document::write(&rows, &code, &toolchain()?);
-    print!("{document}");
-    if scene.is_none() && core.is_none() {
-        section::replace("frames", &document)?;
-        growth()?;
-    }
+/// Counts a scene on all cores and prints a table.
+pub fn print(scene: &str) -> Result<()> {
+    let mut subjects = SUBJECTS.to_vec();
+    subjects.retain(|subject| subject.scene == scene);
+    let scenes = SUBJECTS.map(|subject| subject.scene).join(", ");
+    ensure!(!subjects.is_empty(), "unknown scene; there are {scenes}");
+    print!("{}", page::frames(&count(&subjects, &Core::ALL, true)?)?);
     Ok(())
 }
 
-/// The compiler, on which counts depend.
-pub(crate) fn toolchain() -> Result<String> {
-    let output = command("rustc").arg("--version").output()?;
-    Ok(String::from_utf8(output.stdout)?.trim().to_owned())
+/// Counts everything and writes the tables of docs/benchmarks.md.
+pub fn write() -> Result<()> {
+    let rows = count(&SUBJECTS, &Core::ALL, true)?;
+    page::replace("frames", &page::frames(&rows)?)?;
+    let flash: Result<Vec<_>> = Core::ALL.into_iter().map(Flash::of).collect();
+    page::replace("flash", &page::flash(&rows, &flash?)?)?;
+    let mut boards = board::flash()?;
+    boards.push((LM3S6965EVB.package, usage(&LM3S6965EVB.build(None)?)?));
+    page::replace("boards", &page::boards(&boards)?)
+}
+
+/// Returns an error if a picture takes more instructions than its budget.
+pub fn check() -> Result<()> {
+    BUDGET.check(&counts()?)
+}
+
+/// Stores the counted instructions as the budget.
+pub fn bless() -> Result<()> {
+    BUDGET.bless(&counts()?)
+}
+
+/// Counts three small pictures on one core of each kind of code.
+fn counts() -> Result<Counts> {
+    let rows = count(&IN_BUDGET, &[Core::M0, Core::M3, Core::M4f], false)?;
+    let name = |row: &count::Row| format!("{} {}", row.subject, row.core);
+    Ok(rows
+        .iter()
+        .map(|row| (name(row), row.instructions))
+        .collect())
 }

@@ -5,31 +5,43 @@ use anyhow::{Context, Result, bail};
 
 use crate::root;
 
-/// A program, to be run in the root of the project.
+/// Returns a command that runs in the root of the project.
 pub(crate) fn command(program: impl AsRef<OsStr>) -> Command {
     let mut command = Command::new(program);
     command.current_dir(root());
     command
 }
 
-/// The Cargo that runs this.
+/// Returns the Cargo that runs this program.
 pub(crate) fn cargo() -> Command {
     command(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
 }
 
-/// Runs it to a good end.
+/// Returns the Cargo of another toolchain, such as `+nightly`, with a target folder of its own.
+pub(crate) fn cargo_of(toolchain: &str, target_dir: &str) -> Command {
+    let mut cargo = command("cargo");
+    cargo.arg(toolchain);
+    cargo.env("CARGO_TARGET_DIR", crate::target_dir().join(target_dir));
+    // Cargo sets these variables for programs that it runs, and they would select its toolchain.
+    for variable in ["RUSTUP_TOOLCHAIN", "CARGO", "RUSTC"] {
+        cargo.env_remove(variable);
+    }
+    cargo
+}
+
+/// Runs a command. Returns an error unless the command succeeds.
 pub(crate) fn run(command: &mut Command) -> Result<()> {
     let program = command.get_program().to_owned();
     let status = command
         .status()
-        .with_context(|| format!("{} does not start", program.display()))?;
+        .with_context(|| format!("cannot start {}", program.display()))?;
     if !status.success() {
         bail!("{command:?} failed: {status}");
     }
     Ok(())
 }
 
-/// Whether it runs to a good end, in silence.
+/// Returns true if a command succeeds. Hides its output.
 pub(crate) fn works(command: &mut Command) -> bool {
     command.output().is_ok_and(|output| output.status.success())
 }

@@ -1,15 +1,16 @@
-//! The project's tasks; `cargo xtask` lists them.
+//! The project's tasks; `cargo xtask help` lists them.
 //!
-//! A library, so that the tests in QEMU can build and run firmware with it.
+//! A library, so that the tests in `xtask/tests` can build firmware and run it in emulators.
 
 pub mod bench;
 pub mod board;
+pub mod core;
 pub mod firmware;
-pub mod model;
+pub mod fit;
+pub mod host;
 pub mod netduinoplus2;
 pub mod oled;
 pub mod pico;
-pub mod povray;
 pub mod profile;
 pub mod prove;
 pub mod qemu;
@@ -19,27 +20,36 @@ pub mod soak;
 pub mod test;
 pub mod tidy;
 
-mod calls;
+mod budget;
 mod command;
+mod panics;
+mod parallel;
 mod qmp;
 mod steps;
 mod symbols;
 mod tools;
 
-use std::env;
 use std::path::{Path, PathBuf};
+use std::{env, fs};
 
-/// The root of the project.
+use anyhow::Result;
+
+/// Returns the root folder of the project.
 pub fn root() -> &'static Path {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
     here.parent().unwrap_or(here)
 }
 
-/// The scene files of the project, by name.
-pub fn scenes() -> anyhow::Result<Vec<PathBuf>> {
-    let mut scenes = std::fs::read_dir(root().join("scenes"))?
+/// Returns the path of the project's scene with this name.
+pub fn scene(name: &str) -> PathBuf {
+    root().join("scenes").join(name).with_extension("toml")
+}
+
+/// Returns the paths of all the project's scenes, sorted by name.
+pub fn scenes() -> Result<Vec<PathBuf>> {
+    let mut scenes = fs::read_dir(root().join("scenes"))?
         .map(|entry| Ok(entry?.path()))
-        .collect::<anyhow::Result<Vec<_>>>()?;
+        .collect::<Result<Vec<_>>>()?;
     scenes.retain(|path| {
         path.extension()
             .is_some_and(|extension| extension == "toml")
@@ -48,15 +58,15 @@ pub fn scenes() -> anyhow::Result<Vec<PathBuf>> {
     Ok(scenes)
 }
 
-/// Where Cargo builds.
+/// Returns Cargo's target folder.
 pub fn target_dir() -> PathBuf {
     let named = env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into());
     root().join(named)
 }
 
-/// Where tasks keep their own files, made where missing.
-pub fn scratch_dir() -> anyhow::Result<PathBuf> {
+/// Returns the folder for compiled scenes, firmware and screenshots. Creates it if missing.
+pub fn scratch_dir() -> Result<PathBuf> {
     let dir = target_dir().join("qemu");
-    std::fs::create_dir_all(&dir)?;
+    fs::create_dir_all(&dir)?;
     Ok(dir)
 }

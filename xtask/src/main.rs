@@ -3,53 +3,120 @@
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use anyhow::{Result, bail};
-use lexopt::prelude::*;
-use xtask::qemu::{Arithmetic, Core, Machine};
-use xtask::{bench, board, firmware, model, oled, pico, povray, profile, prove, size, test, tidy};
+use anyhow::Result;
+use clap::{Args, Parser, Subcommand};
+use xtask::core::Core;
+use xtask::qemu::{Arithmetic, Machine};
+use xtask::{bench, board, fit, oled, pico, profile, prove, size, test, tidy};
 
-const HELP: &str = "\
-cargo xtask TASK
+/// Runs one of the project's tasks.
+#[derive(Parser)]
+#[command(bin_name = "cargo xtask")]
+struct Cli {
+    #[command(subcommand)]
+    task: Task,
+}
 
-  test [STEP...]        All checks and tests, or the steps whose names contain one
-                        of these words. Installs the tools that are missing.
-  prove [PROMISE...]    What firmware relies on, proven as far as can be; or the promises
-                        whose names contain one of these words. Writes docs/trust.md.
-  qemu [SCENE] [--shot FILE.png] [--window]
-                        Draws a scene on the OLED of the LM3S6965 board, in QEMU;
-                        takes a screenshot, or shows the display in a window, where
-                        arrow keys move the camera and left Ctrl, unless there is
-                        but one, shows the next scene.
-  headless SCENE [--size WxH] [--core m0|m3|m4f|m7|m33] [--float]
-                        Draws a scene on a core, in QEMU, and prints what it took;
-                        in floating point for comparison.
-  bench [--scene NAME] [--core CORE] [--json FILE]
-                        Counts the instructions of pictures on all cores, next to
-                        those in floating point; writes docs/benchmarks.md.
-  bench --growth        Only how they grow with the spheres in view.
-  bench --check         Fails where a picture takes more than its budget.
-  bench --bless         Makes what pictures take now the budget.
-  fit                   Fits the cost model of `cargo sim render --stats` to what
-                        pictures take; writes sim/cost.toml and docs/cost-model.md.
-  profile SCENE [--core CORE] [--size WxH]
-                        Where the instructions of a frame go, by function and line.
-  pico [SCENE] [--shot FILE.png]
-                        Draws a scene with the firmware of the Raspberry Pi Pico, in
-                        rp2040js, and says its cycles; without one, does all that can be
-                        done with it, scenes over USB included, compares pictures with
-                        the host's, and cycles with the budget.
-  pico --bless          Makes what pictures take now the budget.
-  uf2 [SCENE...]        Builds that firmware, to be dropped on a Pico in boot mode.
-  povray [--depth N]    Times POV-Ray, where it is installed, and `cargo sim render` on
-                        the sphereflake of this depth; 6 unless told.
-  boards                Builds the firmware of all boards with displays and fails where
-                        one takes more flash than its budget.
-  size                  Flash and RAM of each firmware.
-  tidy                  Checks the rules of the source code.
-";
+#[derive(Subcommand)]
+enum Task {
+    /// Runs all checks and tests, and installs missing tools.
+    Test {
+        /// Runs only the steps whose names contain one of these words.
+        steps: Vec<String>,
+    },
+    /// Runs the checks of docs/trust.md, which take hours.
+    Prove {
+        /// Runs only the checks whose names contain one of these words.
+        checks: Vec<String>,
+    },
+    /// Draws a scene on the OLED of the LM3S6965 board in QEMU.
+    Qemu {
+        /// Scene file; the firmware's own scenes if missing.
+        #[arg(value_parser = existing)]
+        scene: Option<PathBuf>,
+        /// Writes a screenshot to this PNG or PPM file.
+        #[arg(long, value_parser = absolute, conflicts_with = "window")]
+        shot: Option<PathBuf>,
+        /// Shows the display in a window. Arrow keys move the camera, left Ctrl selects the next
+        /// scene.
+        #[arg(long)]
+        window: bool,
+    },
+    /// Draws a scene on a core in QEMU, without a display, and prints its instructions.
+    Headless {
+        #[command(flatten)]
+        job: Job,
+        /// Size of the picture, WIDTHxHEIGHT.
+        #[arg(long, default_value = "320x240")]
+        size: String,
+        /// Draws with floating-point numbers, for comparison.
+        #[arg(long)]
+        float: bool,
+    },
+    /// Counts the instructions of pictures in QEMU and writes docs/benchmarks.md.
+    Bench(Bench),
+    /// Fits the cost model of `cargo sim render --stats`; writes sim/src/cost/prices.rs.
+    Fit,
+    /// Prints the functions and lines that take most of a frame's instructions.
+    Profile {
+        #[command(flatten)]
+        job: Job,
+        /// Size of the picture, WIDTHxHEIGHT. QEMU logs every instruction: keep the picture small.
+        #[arg(long, default_value = "40x30")]
+        size: String,
+    },
+    /// Draws with the Raspberry Pi Pico's firmware in rp2040js, and compares pictures and cycles.
+    Pico {
+        /// Scene file; the whole test of the board if missing.
+        #[arg(value_parser = existing)]
+        scene: Option<PathBuf>,
+        /// Writes a screenshot of the scene to this PNG file.
+        #[arg(long, value_parser = absolute, requires = "scene")]
+        shot: Option<PathBuf>,
+        /// Stores the counted cycles as the budget.
+        #[arg(long, conflicts_with = "scene")]
+        bless: bool,
+    },
+    /// Builds the Raspberry Pi Pico's firmware as a UF2 file.
+    Uf2 {
+        /// Scene files; the firmware's own scenes if missing.
+        #[arg(value_parser = existing)]
+        scenes: Vec<PathBuf>,
+    },
+    /// Builds the firmware of all boards and compares its flash with the budget.
+    Boards,
+    /// Prints flash and RAM of the LM3S6965 and headless firmware.
+    Size,
+    /// Checks the layers of the library, import cycles and other rules of the source code.
+    Tidy,
+}
+
+#[derive(Args)]
+struct Job {
+    /// Scene file.
+    #[arg(value_parser = existing)]
+    scene: PathBuf,
+    /// Core that draws.
+    #[arg(long, value_enum, default_value_t = Core::M3)]
+    core: Core,
+}
+
+#[derive(Args)]
+#[group(multiple = false)]
+struct Bench {
+    /// Counts only this scene of the benchmark and prints its table.
+    #[arg(long)]
+    scene: Option<String>,
+    /// Fails if a picture takes more instructions than its budget.
+    #[arg(long)]
+    check: bool,
+    /// Stores the counted instructions as the budget.
+    #[arg(long)]
+    bless: bool,
+}
 
 fn main() -> ExitCode {
-    match task() {
+    match run(Cli::parse().task) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("error: {error:#}");
@@ -58,153 +125,56 @@ fn main() -> ExitCode {
     }
 }
 
-fn task() -> Result<()> {
-    let mut arguments = lexopt::Parser::from_env();
-    let task = match arguments.next()? {
-        Some(Value(task)) => task.string()?,
-        _ => String::new(),
-    };
-    let options = Options::parse(&mut arguments)?;
-    match task.as_str() {
-        "test" => test::run(&options.values),
-        "prove" => prove::run(&options.values),
-        "qemu" => on_the_oled(&options),
-        "headless" => headless(&options),
-        "bench" => bench(&options),
-        "fit" => model::run(),
-        "profile" => profile(&options),
-        "pico" => pico(&options),
-        "uf2" => pico::uf2(&options.scenes()?),
-        "povray" => povray::run(options.depth),
-        "boards" => board::build_all(),
-        "size" => size::print(),
-        "tidy" => tidy::run(),
-        _ => {
-            print!("{HELP}");
-            Ok(())
-        }
+fn run(task: Task) -> Result<()> {
+    match task {
+        Task::Test { steps } => test::run(&steps),
+        Task::Prove { checks } => prove::run(&checks),
+        Task::Qemu {
+            scene,
+            shot,
+            window,
+        } => oled::run(scene.as_deref(), shot.as_deref(), window),
+        Task::Headless { job, size, float } => headless(&job, &size, float),
+        Task::Bench(Bench { check: true, .. }) => bench::check(),
+        Task::Bench(Bench { bless: true, .. }) => bench::bless(),
+        Task::Bench(Bench {
+            scene: Some(scene), ..
+        }) => bench::print(&scene),
+        Task::Bench(_) => bench::write(),
+        Task::Fit => fit::run(),
+        Task::Profile { job, size } => profile::run(&job.scene, job.core, &size),
+        Task::Pico {
+            scene: Some(scene),
+            shot,
+            ..
+        } => pico::draw(&scene, shot.as_deref()),
+        Task::Pico { bless: true, .. } => pico::bless(),
+        Task::Pico { .. } => pico::check(),
+        Task::Uf2 { scenes } => pico::uf2(&scenes),
+        Task::Boards => board::build_all(),
+        Task::Size => size::print(),
+        Task::Tidy => tidy::run(),
     }
 }
 
-fn on_the_oled(options: &Options) -> Result<()> {
-    let elf = firmware::LM3S6965EVB.build(options.scene()?.as_deref())?;
-    if options.window {
-        return oled::show(&elf);
-    }
-    let report = oled::draw(&elf, options.shot.as_deref())?;
+fn headless(job: &Job, size: &str, float: bool) -> Result<()> {
+    let arithmetic = if float {
+        Arithmetic::Float
+    } else {
+        Arithmetic::Fixed
+    };
+    let machine = Machine::of(job.core);
+    let elf = machine.rig(arithmetic.rig()).build(None)?;
+    let report = machine.draw(&elf, &arithmetic.compile(&job.scene)?, size)?;
     print!("{report}");
     report.result().map(drop)
 }
 
-fn headless(options: &Options) -> Result<()> {
-    let Some(scene) = options.scene()? else {
-        bail!("headless takes a scene");
-    };
-    let machine = Machine::of(options.core.unwrap_or(Core::M3));
-    let elf = machine.firmware(options.arithmetic).build(None)?;
-    let size = options.size.as_deref().unwrap_or("320x240");
-    let compiled = options.arithmetic.compile(&scene)?;
-    let report = machine.draw(&elf, &compiled, size)?;
-    print!("{report}");
-    report.result().map(drop)
+/// Tasks run in the root of the project, so paths relative to the user's folder become absolute.
+fn existing(path: &str) -> std::io::Result<PathBuf> {
+    std::fs::canonicalize(path)
 }
 
-fn pico(options: &Options) -> Result<()> {
-    match options.scene()? {
-        Some(scene) => pico::draw(&scene, options.shot.as_deref()),
-        None if options.bless => pico::bless(),
-        None => pico::check(),
-    }
-}
-
-fn bench(options: &Options) -> Result<()> {
-    if options.growth {
-        return bench::growth();
-    }
-    match (options.check, options.bless) {
-        (_, true) => bench::bless(),
-        (true, false) => bench::check(),
-        (false, false) => bench::run(
-            options.only_scene.as_deref(),
-            options.core,
-            options.json.as_deref(),
-        ),
-    }
-}
-
-fn profile(options: &Options) -> Result<()> {
-    let Some(scene) = options.scene()? else {
-        bail!("profile takes a scene");
-    };
-    // Every instruction is logged.
-    let size = options.size.as_deref().unwrap_or("40x30");
-    profile::run(&scene, options.core.unwrap_or(Core::M3), size)
-}
-
-struct Options {
-    values: Vec<String>,
-    shot: Option<PathBuf>,
-    window: bool,
-    size: Option<String>,
-    core: Option<Core>,
-    json: Option<PathBuf>,
-    only_scene: Option<String>,
-    check: bool,
-    bless: bool,
-    growth: bool,
-    depth: u32,
-    arithmetic: Arithmetic,
-}
-
-impl Options {
-    fn parse(arguments: &mut lexopt::Parser) -> Result<Self> {
-        let mut options = Self {
-            values: Vec::new(),
-            shot: None,
-            window: false,
-            size: None,
-            core: None,
-            json: None,
-            only_scene: None,
-            check: false,
-            bless: false,
-            growth: false,
-            depth: 6,
-            arithmetic: Arithmetic::Fixed,
-        };
-        while let Some(argument) = arguments.next()? {
-            match argument {
-                Long("shot") => options.shot = Some(std::path::absolute(arguments.value()?)?),
-                Long("window") => options.window = true,
-                Long("size") => options.size = Some(arguments.value()?.string()?),
-                Long("core") => options.core = Some(arguments.value()?.parse()?),
-                Long("json") => options.json = Some(std::path::absolute(arguments.value()?)?),
-                Long("scene") => options.only_scene = Some(arguments.value()?.string()?),
-                Long("check") => options.check = true,
-                Long("bless") => options.bless = true,
-                Long("depth") => options.depth = arguments.value()?.parse()?,
-                Long("growth") => options.growth = true,
-                Long("float") => options.arithmetic = Arithmetic::Float,
-                Value(value) => options.values.push(value.string()?),
-                other => return Err(other.unexpected().into()),
-            }
-        }
-        Ok(options)
-    }
-
-    /// The scene.
-    fn scene(&self) -> Result<Option<PathBuf>> {
-        if let [_, other, ..] = self.values.as_slice() {
-            bail!("one scene at a time, not {other} too");
-        }
-        Ok(self.scenes()?.pop())
-    }
-
-    /// The scenes, which are named relative to where the person is.
-    fn scenes(&self) -> Result<Vec<PathBuf>> {
-        let found = |scene: &String| {
-            std::fs::canonicalize(scene).map_err(|error| anyhow::anyhow!("{scene}: {error}"))
-        };
-        self.values.iter().map(found).collect()
-    }
+fn absolute(path: &str) -> std::io::Result<PathBuf> {
+    std::path::absolute(path)
 }

@@ -1,4 +1,4 @@
-//! The board with the OLED, in QEMU: what it shows, and its buttons.
+//! The LM3S6965 board in QEMU: its OLED and its buttons.
 
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -6,39 +6,40 @@ use std::{env, fs, process};
 
 use anyhow::Result;
 
-use crate::command::run;
+use crate::command;
+use crate::firmware::LM3S6965EVB;
 use crate::qemu::{Running, firmware_in};
 use crate::qmp::Monitor;
 use crate::report::Report;
 
 const MACHINE: &str = "lm3s6965evb";
 
-/// A board that runs.
+/// A running board.
 pub struct Oled {
     running: Running,
     monitor: Monitor,
     socket: PathBuf,
-    /// The buttons that were let go at least once.
-    let_go: Vec<Button>,
+    /// Buttons that were released at least once.
+    released: Vec<Button>,
 }
 
 /// A button of the board.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Button {
-    /// The camera rises.
+    /// Moves the camera up.
     Up,
-    /// The camera sinks.
+    /// Moves the camera down.
     Down,
-    /// The camera goes to its left.
+    /// Moves the camera left.
     Left,
-    /// The camera goes to its right.
+    /// Moves the camera right.
     Right,
-    /// The next scene.
+    /// Shows the next scene.
     Select,
 }
 
 impl Button {
-    /// The key that QEMU has for it.
+    /// Returns QEMU's key for the button.
     fn key(self) -> &'static str {
         match self {
             Self::Up => "up",
@@ -51,10 +52,10 @@ impl Button {
 }
 
 impl Oled {
-    /// Starts the firmware, and waits until its first picture is complete.
+    /// Starts the firmware and waits for its first picture.
     pub fn start(elf: &Path) -> Result<(Self, Report)> {
         static COUNT: AtomicU32 = AtomicU32::new(0);
-        // Not in the target directory, as a socket's path must be short.
+        // Not in the target folder: the path of a socket is limited to about 100 bytes.
         let count = COUNT.fetch_add(1, Ordering::Relaxed);
         let socket = env::temp_dir().join(format!("whitted-{}-{count}.qmp", process::id()));
 
@@ -68,29 +69,30 @@ impl Oled {
             running,
             monitor,
             socket,
-            let_go: Vec::new(),
+            released: Vec::new(),
         };
         Ok((oled, report))
     }
 
-    /// Writes what it shows to a file: PNG by its name, else PPM.
+    /// Writes a screenshot: a PNG if the file name ends in `.png`, else a PPM.
     pub fn screenshot(&mut self, file: &Path) -> Result<()> {
         self.monitor.screendump(file)
     }
 
-    /// Presses buttons, all at once, until the next picture is complete. In QEMU a
-    /// button is down until it is let go for the first time, which the firmware
-    /// takes for a press.
+    /// Presses several buttons at once and waits for the next picture.
+    ///
+    /// QEMU starts with all buttons down, so the firmware sees the first press of a button when
+    /// the button is released.
     pub fn press(&mut self, buttons: &[Button]) -> Result<Report> {
         let keys: Vec<_> = buttons.iter().map(|button| button.key()).collect();
         self.monitor.send_keys(&keys, true)?;
-        if buttons.iter().all(|button| self.let_go.contains(button)) {
+        if buttons.iter().all(|button| self.released.contains(button)) {
             let report = self.running.report()?;
             self.monitor.send_keys(&keys, false)?;
             return Ok(report);
         }
         self.monitor.send_keys(&keys, false)?;
-        self.let_go.extend(buttons);
+        self.released.extend(buttons);
         self.running.report()
     }
 }
@@ -110,8 +112,13 @@ pub fn draw(elf: &Path, screenshot: Option<&Path>) -> Result<Report> {
     Ok(report)
 }
 
-/// Runs firmware with the display in a window, until a person closes it. The
-/// arrow keys and the left Ctrl key are the board's buttons.
-pub fn show(elf: &Path) -> Result<()> {
-    run(firmware_in(MACHINE, elf).args(["-serial", "stdio"]))
+/// Draws a scene, or the firmware's own scenes if `None`, until the first picture or in a window.
+pub fn run(scene: Option<&Path>, screenshot: Option<&Path>, window: bool) -> Result<()> {
+    let elf = LM3S6965EVB.build(scene)?;
+    if window {
+        return command::run(firmware_in(MACHINE, &elf).args(["-serial", "stdio"]));
+    }
+    let report = draw(&elf, screenshot)?;
+    print!("{report}");
+    report.result().map(drop)
 }

@@ -1,61 +1,93 @@
-//! Where the instructions of a frame go: QEMU logs every one, and the debug
-//! information tells which function and line of the library it belongs to.
+//! Profiles a frame: QEMU logs every instruction, and debug information names its function and
+//! line in the library.
 
-mod executed;
-mod tally;
-
+use std::cmp::Reverse;
 use std::collections::HashMap;
 use std::path::Path;
 
-use anyhow::{Result, bail};
+use anyhow::{Context, Result};
 
-use crate::qemu::{Arithmetic, Core, Machine};
+use crate::core::Core;
+use crate::qemu::{Arithmetic, Machine, Running};
 use crate::symbols::Symbols;
-use executed::Step;
-use tally::Tally;
 
-pub(crate) use executed::executed;
+/// Function of the firmware that runs once the frame is drawn.
+const AFTER_THE_FRAME: &str = "measure::frame::checksum";
 
-/// The function that is called when the frame is drawn.
-pub(crate) const AFTER_THE_FRAME: &str = "measure::frame::checksum";
-
-/// How many functions and lines are worth a look.
+/// Printed functions and lines.
 const TOP: usize = 30;
 
-/// Counts, and prints the functions and lines that take the most.
+/// Instructions by name of a function or line.
+type Tally = HashMap<String, u64>;
+
+/// Draws a frame and prints the functions and lines with most instructions.
 pub fn run(scene: &Path, core: Core, size: &str) -> Result<()> {
     let machine = Machine::of(core);
-    let elf = machine.firmware(Arithmetic::Fixed).build(None)?;
-    let compiled = Arithmetic::Fixed.compile(scene)?;
+    let elf = machine.rig(Arithmetic::Fixed.rig()).build(None)?;
     let symbols = Symbols::load(&elf)?;
-    let Some(end) = symbols.address_of(AFTER_THE_FRAME) else {
-        bail!("{AFTER_THE_FRAME} is not in the firmware");
-    };
-    let counts = executed(machine.drawing(&elf, &compiled, size), end)?;
-    print!("{}", report(&counts, &symbols)?);
+    let end = symbols
+        .address_of(AFTER_THE_FRAME)
+        .with_context(|| format!("the firmware has no function {AFTER_THE_FRAME}"))?;
+    let mut qemu = machine.drawing(&elf, &Arithmetic::Fixed.compile(scene)?, size);
+    // Blocks of one instruction, each logged every time. QEMU 9.0 renames the first option to
+    // `-accel tcg,one-insn-per-tb=on`.
+    qemu.args(["-singlestep", "-d", "exec,nochain", "-D", "/dev/stdout"]);
+    let qemu = Running::start(qemu)?;
+    let mut counts = HashMap::<u64, u64>::new();
+    loop {
+        match address(&qemu.line()?) {
+            Some(address) if address == end => break,
+            Some(address) => *counts.entry(address).or_default() += 1,
+            None => {}
+        }
+    }
+
+    let (mut functions, mut lines) = (Tally::new(), Tally::new());
+    for (address, count) in &counts {
+        let frames = symbols.frames(*address)?;
+        // Instructions of `core` and `fixed` count for the library function that inlined them.
+        let function = match frames.iter().find(|frame| frame.is_library()) {
+            Some(frame) => {
+                let line = format!("{}:{}", frame.file, frame.line);
+                *lines.entry(line).or_default() += count;
+                let name = frame.function.split('<').next().unwrap_or_default();
+                format!("{} {name}", frame.file)
+            }
+            None => symbols.symbol(*address).to_owned(),
+        };
+        *functions.entry(function).or_default() += count;
+    }
+    let total = counts.values().sum();
+    println!("{total} instructions");
+    print_top(&functions, total);
+    print_top(&lines, total);
     Ok(())
 }
 
-fn report(counts: &HashMap<Step, u64>, symbols: &Symbols) -> Result<String> {
-    let (mut functions, mut lines) = (Tally::default(), Tally::default());
-    for ((address, _), count) in counts {
-        let frames = symbols.frames(*address)?;
-        // Number formats and `core` say little: what of the library asked for
-        // them says more. Routines of the compiler are nobody's but their own.
-        match frames.iter().find(|frame| frame.is_library()) {
-            Some(frame) => {
-                // Without types, which are long.
-                let name = frame.function.split('<').next().unwrap_or_default();
-                functions.add(format!("{} {name}", frame.file), *count);
-                lines.add(format!("{}:{}", frame.file, frame.line), *count);
-            }
-            None => functions.add(symbols.symbol(*address).to_owned(), *count),
-        }
+fn print_top(tally: &Tally, total: u64) {
+    let mut entries: Vec<_> = tally.iter().collect();
+    entries.sort_by_key(|(name, count)| (Reverse(**count), *name));
+    println!();
+    for (name, count) in entries.into_iter().take(TOP) {
+        let percent = 100.0 * *count as f64 / total as f64;
+        println!("{count:12} {percent:5.1} %  {name}");
     }
-    let total: u64 = counts.values().sum();
-    Ok(format!(
-        "{total} instructions\n\n{}\n{}",
-        functions.top(TOP, total),
-        lines.top(TOP, total)
-    ))
+}
+
+/// Returns the program counter in `Trace 0: 0x7f0123456789 [00000000/00001234/...`.
+fn address(line: &str) -> Option<u64> {
+    let address = line.strip_prefix("Trace")?.split('/').nth(1)?;
+    u64::from_str_radix(address, 16).ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn reads_the_address_of_a_log_line() {
+        let line = "Trace 0: 0x7f8c24000100 [00000000/00001a2c/00000110/ff001201] main";
+        assert_eq!(address(line), Some(0x1a2c));
+        assert_eq!(address("Linking TBs"), None);
+    }
 }

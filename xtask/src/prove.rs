@@ -1,138 +1,82 @@
-//! What firmware on someone's shelf relies on, proven as far as can be:
-//! `cargo xtask prove`. The report is docs/trust.md.
+//! `cargo xtask prove`: the checks of docs/trust.md that take too long for every test run.
 
-mod bounds;
 mod everywhere;
-mod figures;
 mod fuzz;
+mod miri;
 mod mutants;
-pub(crate) mod panics;
-mod report;
-mod soak;
 mod supply;
-mod tools;
 
-use std::time::Instant;
+use anyhow::{Result, ensure};
 
-use anyhow::{Result, bail, ensure};
+use crate::command::{cargo, run as run_command};
+use crate::core::Core;
+use crate::qemu::{Arithmetic, Machine};
+use crate::soak::soak;
+use crate::steps::{self, Step};
+use crate::{panics, root};
 
-use figures::figures;
-
-/// Something that is promised.
-struct Promise {
-    /// Its name in one word, by which it is chosen.
-    name: &'static str,
-    /// What is promised.
-    says: &'static str,
-    /// How that is tested.
-    how: &'static str,
-    /// Tests it, and returns the figures.
-    prove: fn() -> Result<String>,
-}
-
-/// In the order in which they would be missed.
-const PROMISES: [Promise; 10] = [
-    Promise {
-        name: "panics",
-        says: "Nothing panics.",
-        how: "`tests/rigs/nopanic` calls every public function with input that the compiler cannot know; its panic \
-              handler calls a function that is nowhere, so it links only if no panic is left.",
-        prove: panics::prove,
-    },
-    Promise {
-        name: "damage",
-        says: "A damaged scene is refused.",
-        how: "Every bit flipped and every truncation of each compiled scene of `scenes` (`tests/compiled.rs`).",
-        prove: || figures("compiled", &[]),
-    },
-    Promise {
-        name: "overflow",
-        says: "Nothing overflows.",
-        how: "Random scenes with numbers at the ends of their ranges, compiled with `overflow-checks` \
-              and debug assertions (`tests/fuzz`); a million random values per primitive \
-              against exact integers (`src/num`, `src/exact.rs`).",
-        prove: overflow,
-    },
-    Promise {
-        name: "pictures",
-        says: "Pictures are right.",
-        how: "A thousand random scenes of every surface, at 320x240, against a tracer in double precision that reads the \
-              same files by itself (`tests/random_scenes`).",
-        prove: || figures("random_scenes", &[]),
-    },
-    Promise {
-        name: "everywhere",
-        says: "Every target draws the same bits.",
-        how: "Checksums of all scenes on the host, on five Cortex-M and a RISC-V core in QEMU, and in WebAssembly; \
-              of one scene in Miri, as on a big-endian MIPS, which the library's own tests pass, too.",
-        prove: everywhere::prove,
-    },
-    Promise {
-        name: "bounds",
-        says: "Stack and rays are bounded.",
-        how: "The worst of scenes (32 generations, glass in glass, mirrors, flakes) on the M0+ and the M3, the stack painted.",
-        prove: bounds::prove,
-    },
-    Promise {
-        name: "soak",
-        says: "Nothing wears.",
-        how: "10,000 frames of an animation on the M0+ and the M3 in QEMU (`tests/rigs/soak`): the checksum of each is \
-              that of the host, and the painted stack gets no deeper after the first loop of it, 54 frames.",
-        prove: soak::prove,
-    },
-    Promise {
-        name: "fuzz",
-        says: "Any input is refused or drawn.",
-        how: "cargo-fuzz, with `overflow-checks`: scene text, compiled bytes, extreme scenes, what is sent to displays, serial lines, random scenes against \
-              the oracle. What it has found is in `fuzz/corpus`, which `cargo test` replays.",
-        prove: fuzz::prove,
-    },
-    Promise {
-        name: "supply",
-        says: "The crate is sound as published.",
-        how: "cargo-deny: licenses, sources, duplicates, advisories; `cargo package` builds what is packed; \
-              the oldest toolchain that is promised checks it.",
-        prove: supply::prove,
-    },
-    Promise {
-        name: "mutants",
-        says: "The tests bite.",
-        how: "cargo-mutants over arithmetic, shapes, shading and tracing, a fixed sample, against the fast tests.",
-        prove: mutants::prove,
-    },
+/// Names of the checks and the functions that run them.
+const CHECKS: [Step; 11] = [
+    ("panics", panics),
+    ("damage", || library_test(&["--test", "compiled"], None)),
+    ("overflow", overflow),
+    ("pictures", || {
+        library_test(&["--test", "random_scenes"], None)
+    }),
+    ("everywhere", everywhere::check),
+    ("miri", miri::check),
+    ("bounds", bounds),
+    ("soak", soak_cores),
+    ("fuzz", fuzz::check),
+    ("supply", supply::check),
+    ("mutants", mutants::check),
 ];
 
-/// Proves the promises whose names contain one of the words, or all; writes the
-/// report of those that hold.
+/// Runs the checks whose names contain one of the words, or all checks without words.
 pub fn run(words: &[String]) -> Result<()> {
-    let chosen = |name: &str| words.is_empty() || words.iter().any(|word| name.contains(word));
-    let promises = PROMISES.iter().filter(|promise| chosen(promise.name));
-    let (mut proven, mut broken) = (0, Vec::new());
-    for Promise { name, prove, .. } in promises {
-        println!("==> {name}");
-        let start = Instant::now();
-        match prove() {
-            Ok(figures) => {
-                report::write(name, &figures)?;
-                println!("{figures}");
-                proven += 1;
-            }
-            Err(error) => {
-                eprintln!("error: {error:#}");
-                broken.push(*name);
-            }
-        }
-        println!("<== {name}: {:.0} s", start.elapsed().as_secs_f32());
+    steps::run(&CHECKS, words)
+}
+
+fn panics() -> Result<()> {
+    panics::link_all()?;
+    panics::link_broken()
+}
+
+/// Runs tests of the library and shows what they print.
+fn library_test(arguments: &[&str], variable: Option<(&str, &str)>) -> Result<()> {
+    let mut test = cargo();
+    test.args(["test", "--package", "whitted"]).args(arguments);
+    run_command(test.args(["--", "--nocapture"]).envs(variable))
+}
+
+/// Draws scenes at the ends of all ranges, and compares arithmetic with exact integers, both with
+/// overflow checks.
+fn overflow() -> Result<()> {
+    library_test(&["--test", "fuzz"], Some(("RUNS", "20000")))?;
+    library_test(&["--lib"], None)
+}
+
+/// Draws the scene with the deepest ray tree on the smallest cores, and checks the painted stack.
+fn bounds() -> Result<()> {
+    /// Largest stack of the firmware and the renderer, in bytes.
+    const STACK: u64 = 6 * 1024;
+    let scene = Arithmetic::Fixed.compile(&root().join("tests/stress/scene.toml"))?;
+    for core in [Core::M0, Core::M3] {
+        let machine = Machine::of(core);
+        let elf = machine.rig(Arithmetic::Fixed.rig()).build(None)?;
+        let report = machine.draw(&elf, &scene, "4x3")?;
+        let stack = report.result()?.number("stack")?;
+        println!("{}: {stack} of {STACK} bytes of stack", core.title());
+        ensure!(stack <= STACK, "stack of {stack} bytes on {core}");
     }
-    if !broken.is_empty() {
-        bail!("not proven: {}", broken.join(", "));
-    }
-    ensure!(proven > 0, "no promise has such a name");
     Ok(())
 }
 
-fn overflow() -> Result<String> {
-    let scenes = figures("fuzz", &[("RUNS", "20000")])?;
-    let primitives = figures("--lib", &[])?;
-    Ok(format!("{scenes}; {primitives}"))
+/// Draws 10,000 frames of an animation on the smallest cores.
+fn soak_cores() -> Result<()> {
+    for core in [Core::M0, Core::M3] {
+        let stack = soak(core, 10_000)?;
+        println!("{}: {stack} bytes of stack", core.title());
+    }
+    Ok(())
 }

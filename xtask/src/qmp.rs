@@ -1,4 +1,4 @@
-//! QEMU's monitor.
+//! QEMU's monitor protocol, QMP.
 
 use std::io::{BufRead, BufReader, Write};
 use std::os::unix::net::UnixStream;
@@ -12,9 +12,9 @@ pub(crate) struct Monitor {
 }
 
 impl Monitor {
-    /// Connects to the monitor at this socket.
+    /// Connects to the monitor at a socket.
     pub(crate) fn connect(socket: &Path) -> Result<Self> {
-        let stream = UnixStream::connect(socket).context("QEMU's monitor does not answer")?;
+        let stream = UnixStream::connect(socket).context("cannot connect to QEMU's monitor")?;
         let mut monitor = Self {
             answers: BufReader::new(stream),
         };
@@ -22,18 +22,18 @@ impl Monitor {
         Ok(monitor)
     }
 
-    /// Writes the picture on the display to a file: PNG by its name, else PPM.
+    /// Writes a screenshot: a PNG if the file name ends in `.png`, else a PPM.
     pub(crate) fn screendump(&mut self, file: &Path) -> Result<()> {
         let is_png = file.extension().is_some_and(|extension| extension == "png");
         let format = if is_png { "png" } else { "ppm" };
-        // Rust's escapes are JSON's, for names that a person would give a file.
+        // Rust's escapes are valid in JSON for usual file names.
         self.execute(&format!(
             r#"{{"execute": "screendump", "arguments": {{"filename": {:?}, "format": "{format}"}}}}"#,
             file.display().to_string(),
         ))
     }
 
-    /// Presses keys or lets them go, all at once.
+    /// Presses or releases several keys at once.
     pub(crate) fn send_keys(&mut self, keys: &[&str], down: bool) -> Result<()> {
         let event = |key: &&str| {
             let key = format!(r#"{{"type": "qcode", "data": "{key}"}}"#);
@@ -47,16 +47,16 @@ impl Monitor {
     }
 
     fn execute(&mut self, command: &str) -> Result<()> {
-        // At once: QEMU obeys at the last bracket, and may have quit before a
-        // line end that comes by itself.
+        // One write, because QEMU obeys at the last bracket and may quit before a separate
+        // newline arrives.
         let command = format!("{command}\n");
         self.answers.get_mut().write_all(command.as_bytes())?;
         let mut line = String::new();
-        // Greeting and events come in between.
+        // A greeting and events may precede the answer.
         while !line.starts_with(r#"{"return""#) {
             line.clear();
             if self.answers.read_line(&mut line)? == 0 || line.starts_with(r#"{"error""#) {
-                bail!("QEMU does not {}: {line}", command.trim_end());
+                bail!("QEMU's monitor rejected {}: {line}", command.trim_end());
             }
         }
         Ok(())

@@ -1,4 +1,4 @@
-//! What firmware prints.
+//! Lines that firmware prints.
 
 use std::fmt;
 
@@ -9,21 +9,26 @@ use anyhow::{Context, Result, bail};
 pub struct Report(Vec<String>);
 
 impl Report {
-    /// The report in these lines.
+    /// Returns the report in these lines.
     pub fn new(lines: Vec<String>) -> Self {
         Self(lines)
     }
 
-    /// The report, unless it tells of an error or of nothing.
+    /// Returns the report, or an error if it is empty or has the key `error`.
     pub fn result(&self) -> Result<&Self> {
         match self.get("error") {
             Ok(error) => bail!("the firmware reports: {error}"),
-            Err(_) if self.0.is_empty() => bail!("the firmware reports nothing"),
+            Err(_) if self.0.is_empty() => bail!("the firmware printed no report"),
             Err(_) => Ok(self),
         }
     }
 
-    /// What is reported under this key.
+    /// Returns all lines.
+    pub(crate) fn lines(&self) -> &[String] {
+        &self.0
+    }
+
+    /// Returns the value of a key.
     pub fn get(&self, key: &str) -> Result<&str> {
         self.0
             .iter()
@@ -31,7 +36,7 @@ impl Report {
             .with_context(|| format!("no {key:?} in the report:\n{self}"))
     }
 
-    /// The number that is reported under this key.
+    /// Returns the number at a key.
     pub fn number(&self, key: &str) -> Result<u64> {
         let value = self.get(key)?;
         value.parse().with_context(|| format!("{key}: {value}"))

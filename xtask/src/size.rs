@@ -1,4 +1,4 @@
-//! How much of a chip firmware takes.
+//! Flash and RAM of firmware.
 
 use std::fs;
 use std::path::Path;
@@ -7,37 +7,34 @@ use anyhow::Result;
 use object::read::elf::ElfFile32;
 use object::{Object, ObjectSection, SectionFlags, SectionKind, elf::SHF_ALLOC};
 
-use crate::firmware::{HEADLESS, LM3S6965EVB};
+use crate::firmware::{Firmware, LM3S6965EVB, TARGETS};
 
-/// Where RAM begins on every Cortex-M.
+/// Start address of RAM on every Cortex-M.
 const RAM: u64 = 0x2000_0000;
 
-/// Bytes of flash and of RAM.
+/// Flash and RAM in bytes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Usage {
-    /// Vectors, code, constants, and the initial values of statics.
+    /// Vectors, code, constants, and initial values of statics.
     pub flash: u64,
-    /// Statics: all but the stack.
+    /// Statics, without the stack.
     pub ram: u64,
 }
 
-/// Builds all firmware and prints what it takes.
+/// Builds the LM3S6965 and headless firmware and prints flash and RAM.
 pub fn print() -> Result<()> {
-    println!(
-        "{:12} {:22} {:>7} {:>7}",
-        "firmware", "target", "flash", "statics"
-    );
-    for firmware in [LM3S6965EVB].into_iter().chain(HEADLESS) {
+    let headless = TARGETS.map(|target| Firmware::new("headless", target));
+    for firmware in [LM3S6965EVB].into_iter().chain(headless) {
         let Usage { flash, ram } = usage(&firmware.build(None)?)?;
-        println!(
-            "{:12} {:22} {flash:7} {ram:7}",
-            firmware.package, firmware.target
-        );
+        let Firmware {
+            package, target, ..
+        } = firmware;
+        println!("{package:12} {target:26} {flash:7} bytes of flash, {ram:7} of static RAM");
     }
     Ok(())
 }
 
-/// What the firmware in this ELF file takes.
+/// Returns flash and RAM of the firmware in an ELF file.
 pub fn usage(elf: &Path) -> Result<Usage> {
     let bytes = fs::read(elf)?;
     let elf: ElfFile32 = ElfFile32::parse(bytes.as_slice())?;

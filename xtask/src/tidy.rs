@@ -1,54 +1,53 @@
-//! The rules of the source code, as far as a machine can hold them.
+//! Rules of the source code that Clippy has no lints for.
 
-mod called;
+mod callers;
+mod cycles;
 mod layers;
+mod modules;
 mod names;
-mod tokens;
+mod source;
 mod words;
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, bail, ensure};
 
 use crate::command::command;
 use crate::root;
-use tokens::Source;
+use modules::Crate;
+use source::Source;
 
-/// Where a rule is broken, and which one.
-type Complaint = String;
-
-/// Checks all rules, and fails with every place where one is broken.
+/// Checks all rules and prints every violation.
 pub fn run() -> Result<()> {
-    let mut complaints = Vec::new();
-    let (mut library, mut callers) = (Vec::new(), Vec::new());
+    let mut violations = Vec::new();
+    let mut sources = Vec::new();
     for path in committed_files()? {
-        let bytes = fs::read(root().join(&path))?;
-        // Anything else is no text.
-        let Ok(text) = String::from_utf8(bytes) else {
+        // Files that are not UTF-8 have no words.
+        let Ok(text) = String::from_utf8(fs::read(root().join(&path))?) else {
             continue;
         };
-        complaints.extend(words::check(&path, &text));
-        let is_rust = path.extension().is_some_and(|extension| extension == "rs");
-        if path.starts_with("src") && is_rust {
-            library.push(Source::parse(&path, &text)?);
-        } else if path.starts_with("tests/rigs/nopanic/src") && is_rust {
-            callers.push(Source::parse(&path, &text)?);
+        violations.extend(words::check(&path, &text));
+        if path.extension().is_some_and(|extension| extension == "rs") {
+            sources.push(Source::parse(&path, &text)?);
         }
     }
-    complaints.extend(library.iter().flat_map(names::check));
-    complaints.extend(layers::check(&library));
-    complaints.extend(called::check(&library, &callers));
-    if complaints.is_empty() {
-        return Ok(());
+    let page = fs::read_to_string(root().join("docs/architecture.md"))?;
+    violations.extend(layers::check(&Crate::new("src", &sources), &page));
+    violations.extend(callers::check(&sources));
+    for folder in ["src", "sim/src", "sim/src/bin/sim", "xtask/src"] {
+        violations.extend(cycles::check(&Crate::new(folder, &sources)));
     }
-    for complaint in &complaints {
-        eprintln!("{complaint}");
+    for violation in &violations {
+        eprintln!("{violation}");
     }
-    bail!("{} breaches of the rules", complaints.len())
+    if !violations.is_empty() {
+        bail!("{} violations", violations.len());
+    }
+    Ok(())
 }
 
-/// Files that are committed, or will be.
+/// Returns the paths of files that are committed or not ignored.
 fn committed_files() -> Result<Vec<PathBuf>> {
     let mut git = command("git");
     git.args([
@@ -58,23 +57,11 @@ fn committed_files() -> Result<Vec<PathBuf>> {
         "--others",
         "--exclude-standard",
     ]);
-    let output = git.output().context("git does not start")?;
-    if !output.status.success() {
-        bail!("git failed: {}", String::from_utf8_lossy(&output.stderr));
-    }
+    let output = git.output().context("cannot start git")?;
+    let errors = String::from_utf8_lossy(&output.stderr);
+    ensure!(output.status.success(), "git failed: {errors}");
     let list = String::from_utf8(output.stdout)?;
-    let names = list.split_terminator('\0').map(PathBuf::from);
-    // A deleted file stays in the list until that is committed.
-    Ok(names.filter(|path| root().join(path).is_file()).collect())
-}
-
-/// `src/shape/sphere.rs` as `["shape", "sphere"]`, `src/lib.rs` as nothing.
-fn module_of(path: &Path) -> Vec<String> {
-    let inside = path.strip_prefix("src").unwrap_or(path).with_extension("");
-    let mut module: Vec<String> = inside
-        .iter()
-        .map(|name| name.to_string_lossy().into_owned())
-        .collect();
-    module.pop_if(|last| last == "lib" || last == "mod");
-    module
+    let files = list.split_terminator('\0').map(PathBuf::from);
+    // Git lists deleted files until the deletion is committed.
+    Ok(files.filter(|path| root().join(path).is_file()).collect())
 }

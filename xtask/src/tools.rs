@@ -1,50 +1,32 @@
-//! The tools that the tests need, installed where that is possible.
+//! Installs programs that the tests need.
 
 use std::env;
-use std::path::Path;
 
 use anyhow::{Context, Result, bail};
 
 use crate::command::{cargo, command, run, works};
-use crate::firmware::TARGETS;
 use crate::qemu::QEMU;
 
-/// Installs what is missing; fails with the command that would, where it cannot.
+/// Commands that succeed if a program is installed, and Debian packages that have the program.
+const PROGRAMS: [([&str; 2], &[&str]); 3] = [
+    ([QEMU, "--version"], &["qemu-system-arm"]),
+    (["sdl2-config", "--version"], &["libsdl2-dev"]),
+    (["xvfb-run", "--help"], &["xvfb", "xauth"]),
+];
+
+/// Installs the programs that `cargo xtask test` needs; rust-toolchain.toml lists the targets and
+/// components. Returns an error with the command to run if that is impossible.
 pub(crate) fn install() -> Result<()> {
-    TARGETS.into_iter().try_for_each(target)?;
-    for (subcommand, component) in [("clippy", "clippy"), ("fmt", "rustfmt")] {
-        if !works(cargo().args([subcommand, "--version"])) {
-            rustup(&["component", "add", component])?;
-        }
-    }
-    PACKAGES.iter().try_for_each(Package::install_if_missing)
+    let mut programs = PROGRAMS.iter();
+    programs.try_for_each(|(program, packages)| install_program(*program, packages))
 }
 
-/// Installs Node's package manager, if it is missing.
+/// Installs npm if missing. Only the Raspberry Pi Pico's emulator needs it.
 pub(crate) fn install_npm() -> Result<()> {
-    NPM.install_if_missing()
+    install_program(["npm", "--version"], &["nodejs", "npm"])
 }
 
-/// Installs the standard library for a target, if it is missing.
-pub(crate) fn target(target: &str) -> Result<()> {
-    if has_target(target) {
-        return Ok(());
-    }
-    rustup(&["target", "add", target])
-}
-
-/// Whether the standard library for the target is there, whoever put it there.
-fn has_target(target: &str) -> bool {
-    let output = command("rustc")
-        .args(["--print", "target-libdir", "--target", target])
-        .output();
-    output.is_ok_and(|output| {
-        let folder = String::from_utf8_lossy(&output.stdout);
-        output.status.success() && Path::new(folder.trim()).is_dir()
-    })
-}
-
-/// The linker of firmware whose stack must not grow into its statics.
+/// Installs flip-link if missing: the linker of boards, which places the stack below the statics.
 pub(crate) fn install_flip_link() -> Result<()> {
     let path = env::var_os("PATH").unwrap_or_default();
     let name = format!("flip-link{}", env::consts::EXE_SUFFIX);
@@ -52,97 +34,34 @@ pub(crate) fn install_flip_link() -> Result<()> {
         return Ok(());
     }
     run(cargo().args(["install", "--quiet", "--locked", "flip-link"]))
-        .context("missing; to install it: cargo install --locked flip-link")
+        .context("flip-link is missing; run `cargo install --locked flip-link`")
 }
 
-fn rustup(arguments: &[&str]) -> Result<()> {
-    run(command("rustup").args(arguments))
-        .with_context(|| format!("missing; to install it: rustup {}", arguments.join(" ")))
-}
-
-/// What the system's package manager has.
-struct Package {
-    /// Runs with this argument where the package is installed.
-    program: &'static str,
-    argument: &'static str,
-    apt: &'static [&'static str],
-    dnf: &'static str,
-    pacman: &'static str,
-    brew: &'static str,
-}
-
-const PACKAGES: [Package; 3] = [
-    Package {
-        program: QEMU,
-        argument: "--version",
-        apt: &["qemu-system-arm"],
-        dnf: "qemu-system-arm",
-        pacman: "qemu-system-arm",
-        brew: "qemu",
-    },
-    Package {
-        program: "sdl2-config",
-        argument: "--version",
-        apt: &["libsdl2-dev"],
-        dnf: "SDL2-devel",
-        pacman: "sdl2",
-        brew: "sdl2",
-    },
-    Package {
-        program: "xvfb-run",
-        argument: "--help",
-        apt: &["xvfb", "xauth"],
-        dnf: "xorg-x11-server-Xvfb",
-        pacman: "xorg-server-xvfb",
-        brew: "--cask xquartz",
-    },
-];
-
-/// Needed by the emulator of the Raspberry Pi Pico alone.
-const NPM: Package = Package {
-    program: "npm",
-    argument: "--version",
-    apt: &["nodejs", "npm"],
-    dnf: "nodejs-npm",
-    pacman: "nodejs npm",
-    brew: "node",
-};
-
-impl Package {
-    fn install_if_missing(&self) -> Result<()> {
-        if works(command(self.program).arg(self.argument)) {
-            return Ok(());
-        }
-        self.install()
+/// Returns an error with the command to run unless a program answers to `--version`.
+pub(crate) fn require(program: &[&str], install: &str) -> Result<()> {
+    let [name, arguments @ ..] = program else {
+        return Ok(());
+    };
+    if works(command(name).args(arguments).arg("--version")) {
+        return Ok(());
     }
+    bail!("{} is missing; run `{install}`", program.join(" "))
+}
 
-    fn install(&self) -> Result<()> {
-        if is_root() && works(command("apt-get").arg("--version")) {
-            run(command("apt-get").args(["--quiet", "update"]))?;
-            let mut install = command("apt-get");
-            install.args(["--quiet", "--yes", "--no-install-recommends", "install"]);
-            install.env("DEBIAN_FRONTEND", "noninteractive");
-            return run(install.args(self.apt));
-        }
-        let installers = [
-            ("apt-get", "sudo apt-get install", &*self.apt.join(" ")),
-            ("dnf", "sudo dnf install", self.dnf),
-            ("pacman", "sudo pacman -S", self.pacman),
-            ("brew", "brew install", self.brew),
-        ];
-        let found = installers
-            .iter()
-            .find(|(program, ..)| works(command(program).arg("--version")));
-        match found {
-            Some((_, how, name)) => {
-                bail!("{} is missing; to install it: {how} {name}", self.program)
-            }
-            None => bail!(
-                "{} is missing, and no package manager is known",
-                self.program
-            ),
-        }
+/// Installs the packages as root on Debian. Elsewhere returns an error with their names.
+fn install_program([program, argument]: [&str; 2], packages: &[&str]) -> Result<()> {
+    if works(command(program).arg(argument)) {
+        return Ok(());
     }
+    if !is_root() || !works(command("apt-get").arg("--version")) {
+        let packages = packages.join(" ");
+        bail!("{program} is missing; on Debian, run `sudo apt-get install {packages}`");
+    }
+    run(command("apt-get").args(["--quiet", "update"]))?;
+    let mut install = command("apt-get");
+    install.args(["--quiet", "--yes", "--no-install-recommends", "install"]);
+    install.env("DEBIAN_FRONTEND", "noninteractive");
+    run(install.args(packages))
 }
 
 fn is_root() -> bool {

@@ -1,44 +1,51 @@
-//! What of the library's code draws a prepared scene, and what reads a compiled one.
-
 use std::path::Path;
 
 use anyhow::Result;
 
+use crate::core::Core;
+use crate::firmware::Firmware;
+use crate::qemu::{Arithmetic, Machine};
 use crate::symbols::Symbols;
 
-/// Where the headless firmware begins to draw.
-const DRAWING: [&str; 2] = ["headless::set_up", "measure::frame::draw"];
-
-/// Where it begins to read a compiled scene, to say what is wrong with it, and to check a
-/// picture.
-const READING: [&str; 3] = [
-    "headless::decode",
-    "DecodeError",
-    "measure::frame::checksum",
+/// Files of the library that only decoding needs: all others draw.
+const DECODING: [&str; 6] = [
+    "src/archive",
+    "src/codec",
+    "src/math/crc32",
+    "src/prepare/culling",
+    "src/scene/error",
+    "src/scene_buffer",
 ];
 
-/// Bytes of machine code that come of a line of the library, inlined or not.
-pub(super) struct Code {
-    /// All that is not below.
-    pub(super) drawing: u64,
-    /// In functions that only reading calls.
-    pub(super) reading: u64,
+/// Bytes of the library's machine code that draw, and bytes that decode, in the headless firmware
+/// of a core. Code that is inlined elsewhere counts.
+pub(super) struct Flash {
+    pub(super) core: Core,
+    pub(super) full: [u64; 2],
+    /// Without optional features, which leaves spheres and planes.
+    pub(super) minimal: [u64; 2],
 }
 
-impl Code {
-    /// That in the headless firmware.
-    pub(super) fn of(elf: &Path) -> Result<Self> {
-        let symbols = Symbols::load(elf)?;
-        let drawing = symbols.called_from(&DRAWING);
-        let reading = symbols.called_from(&READING);
-        let is_read = |function| reading.contains(function) && !drawing.contains(function);
-        let sizes = symbols.library_sizes()?;
-        let (reading, drawing): (Vec<_>, Vec<_>) =
-            sizes.iter().partition(|(function, _)| is_read(function));
-        let sum = |part: Vec<(&u64, &u64)>| part.iter().map(|(_, size)| *size).sum();
+impl Flash {
+    pub(super) fn of(core: Core) -> Result<Self> {
+        let full = Machine::of(core).rig(Arithmetic::Fixed.rig());
+        let minimal = Firmware {
+            defaults: false,
+            ..full
+        };
         Ok(Self {
-            drawing: sum(drawing),
-            reading: sum(reading),
+            core,
+            full: code(&full.build(None)?)?,
+            minimal: code(&minimal.build(None)?)?,
         })
     }
+}
+
+fn code(elf: &Path) -> Result<[u64; 2]> {
+    let mut sizes = [0, 0];
+    for (file, size) in Symbols::load(elf)?.library_sizes()? {
+        let decodes = DECODING.iter().any(|prefix| file.starts_with(prefix));
+        sizes[usize::from(decodes)] += size;
+    }
+    Ok(sizes)
 }

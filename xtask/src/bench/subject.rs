@@ -1,27 +1,26 @@
 use std::fmt;
-use std::path::PathBuf;
 
-use crate::qemu::{Arithmetic, Core};
-use crate::root;
+use embedded_graphics_core::geometry::Size;
 
-/// A picture to be measured.
+use crate::core::Core;
+
+/// A picture of the benchmark.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Subject {
-    pub(crate) scene: &'static str,
-    pub(crate) width: u32,
-    pub(crate) height: u32,
+pub(super) struct Subject {
+    /// Name of the scene file.
+    pub(super) scene: &'static str,
+    pub(super) size: Size,
 }
 
 const fn subject(scene: &'static str, width: u32, height: u32) -> Subject {
     Subject {
         scene,
-        width,
-        height,
+        size: Size::new(width, height),
     }
 }
 
-/// Those of the benchmark.
-pub(crate) const SUBJECTS: [Subject; 7] = [
+/// Pictures in docs/benchmarks.md.
+pub(super) const SUBJECTS: [Subject; 7] = [
     subject("whitted", 320, 240),
     subject("four_spheres", 320, 240),
     subject("cylinders", 320, 240),
@@ -31,54 +30,37 @@ pub(crate) const SUBJECTS: [Subject; 7] = [
     subject("whitted", 128, 64),
 ];
 
-/// Those of the budget: small, as every test run counts them.
-pub(crate) const IN_BUDGET: [Subject; 3] = [
+/// Pictures with a budget, small because every `cargo xtask test` counts them.
+pub(super) const IN_BUDGET: [Subject; 3] = [
     subject("four_spheres", 320, 240),
     subject("whitted", 160, 120),
     subject("sphereflake", 80, 60),
 ];
 
 impl Subject {
-    /// The scene file.
-    pub(crate) fn file(self) -> PathBuf {
-        root()
-            .join("scenes")
-            .join(self.scene)
-            .with_extension("toml")
+    pub(super) fn pixels(self) -> u64 {
+        u64::from(self.size.width) * u64::from(self.size.height)
     }
 
-    pub(crate) fn size(self) -> String {
-        format!("{}x{}", self.width, self.height)
-    }
-
-    pub(crate) fn pixels(self) -> u64 {
-        u64::from(self.width) * u64::from(self.height)
-    }
-
-    /// By how much the sides are divided, so that software floats, which take
-    /// up to 10^11 instructions a frame, draw in time.
-    pub(crate) fn reduction(self, arithmetic: Arithmetic, core: Core) -> u32 {
-        if arithmetic == Arithmetic::Fixed || core.has_fpu() {
-            1
-        } else if self.scene == "sphereflake" {
-            4
-        } else {
-            2
-        }
-    }
-
-    /// Smaller, with sides divided by this.
-    pub(crate) fn reduced(self, by: u32) -> Self {
+    /// Returns a smaller picture for cores without an FPU, on which floats take up to 10^11
+    /// instructions for a frame.
+    pub(super) fn reduced_for_floats(self, core: Core) -> Self {
+        let divisor = match self.scene {
+            _ if core.has_fpu() => 1,
+            "sphereflake" => 4,
+            _ => 2,
+        };
         Self {
-            width: self.width / by,
-            height: self.height / by,
+            size: self.size / divisor,
             ..self
         }
     }
 }
 
+/// Writes the scene and the size, such as "whitted 320x240".
 impl fmt::Display for Subject {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} {}x{}", self.scene, self.width, self.height)
+        let Size { width, height } = self.size;
+        write!(f, "{} {width}x{height}", self.scene)
     }
 }

@@ -1,23 +1,22 @@
-//! The firmware in rp2040js, and what the display shows.
+//! Runs the firmware in rp2040js and decodes the pictures on its display.
 
-use std::fmt;
 use std::fs;
 use std::io::{BufRead, BufReader, Lines};
 use std::path::Path;
 use std::process::{Child, Stdio};
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, ensure};
 use display_stream::{Byte, Controller, Picture};
 
-use super::PANEL;
+use super::panel::PANEL;
 use super::port::Port;
 use crate::command::{command, run as run_command};
 use crate::{root, scratch_dir, tools};
 
-/// Where the script is, and what it needs of npm.
+/// Folder of the emulator's script and npm packages.
 const FOLDER: &str = "boards/pico/emulator";
 
-/// What the stream has in place of D/C where a picture ends.
+/// Marks the end of a picture in the stream, in place of the level of the D/C pin.
 const END: u8 = 2;
 
 /// A button, by the number of its pin.
@@ -27,103 +26,77 @@ pub(super) enum Button {
     Right = 20,
 }
 
-/// After what the firmware draws another picture.
+/// Cause of another picture.
 #[derive(Clone, Copy)]
 pub(super) enum Event<'e> {
-    /// A button is pressed when the picture is complete.
-    Press(Button),
-    /// A button is pressed while the picture is drawn.
-    Amid(Button),
-    /// Somebody does something at the other end of the USB when the picture is complete.
+    /// Press of a button after a picture.
+    AfterPicture(Button),
+    /// Press of a button that interrupts a picture.
+    DuringPicture(Button),
+    /// Transfer over USB after a picture.
     Usb(&'e dyn Fn(&Port) -> Result<()>),
 }
 
-/// What the display showed when a picture was complete, or broken off, and what
-/// it took.
-#[derive(Clone, Debug)]
-pub(super) struct Drawn {
-    pub(super) picture: Picture,
-    pub(super) cost: Cost,
-}
-
-/// What a picture took.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Cost {
-    pub(super) cycles: u64,
-    /// To the display.
-    bytes: u64,
-}
-
-impl fmt::Display for Cost {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { cycles, bytes } = self;
-        write!(f, "{cycles} cycles, {bytes} bytes to the display")
-    }
-}
-
-/// Runs firmware until it has drawn a picture, and one after each event.
-pub(super) fn run(elf: &Path, events: &[Event<'_>]) -> Result<Vec<Drawn>> {
+/// Runs firmware for its first picture and one picture after each event. Returns the complete or
+/// interrupted pictures and their cycles.
+pub(super) fn run(elf: &Path, events: &[Event<'_>]) -> Result<Vec<(Picture, u64)>> {
     install()?;
     let stream = scratch_dir()?.join("pico.stream");
     let mut node = command("node");
     node.arg(root().join(FOLDER).join("run.js"))
         .args([elf, &stream]);
     node.args(events.iter().map(|event| match event {
-        Event::Press(button) => format!("press:{}", *button as u8),
-        Event::Amid(button) => format!("amid:{}", *button as u8),
+        Event::AfterPicture(button) => format!("press:{}", *button as u8),
+        Event::DuringPicture(button) => format!("amid:{}", *button as u8),
         Event::Usb(_) => "usb".to_owned(),
     }));
     node.stdin(Stdio::null()).stdout(Stdio::piped());
-    let is_connected = events.iter().any(|event| matches!(event, Event::Usb(_)));
-    let port = is_connected.then(Port::new).transpose()?;
+    let has_usb = events.iter().any(|event| matches!(event, Event::Usb(_)));
+    let port = has_usb.then(Port::new).transpose()?;
     if let Some(port) = &port {
         node.stdin(port.device()?);
     }
-    let mut node = node.spawn().context("node does not start")?;
-    let costs = watch(&mut node, events, port.as_ref());
-    if costs.is_err() {
-        // It waits for what will not come; or it has ended, and said why.
+    let mut node = node.spawn().context("cannot start node")?;
+    let cycles = watch(&mut node, events, port.as_ref());
+    if cycles.is_err() {
         node.kill()?;
     }
     let status = node.wait()?;
-    let costs = costs?;
-    if !status.success() {
-        bail!("the emulator failed: {status}");
-    }
-    let pictures = pictures(&fs::read(stream)?)?;
-    let drawn = pictures.into_iter().zip(costs);
-    Ok(drawn
-        .map(|(picture, cost)| Drawn { picture, cost })
-        .collect())
+    let cycles = cycles?;
+    ensure!(status.success(), "the emulator failed: {status}");
+    let pictures = decode(&fs::read(stream)?)?;
+    Ok(pictures.into_iter().zip(cycles).collect())
 }
 
-/// Does what is to be done outside of the emulator; what the pictures took.
-fn watch(node: &mut Child, events: &[Event<'_>], port: Option<&Port>) -> Result<Vec<Cost>> {
-    let printed = node.stdout.take().context("it was piped")?;
-    let mut printed = BufReader::new(printed).lines();
-    let mut costs = Vec::new();
+/// Reads the cycles of pictures, and runs USB transfers in between.
+fn watch(node: &mut Child, events: &[Event<'_>], port: Option<&Port>) -> Result<Vec<u64>> {
+    let output = node.stdout.take().context("node has no output")?;
+    let mut lines = BufReader::new(output).lines();
+    let mut cycles = Vec::new();
     for event in events {
-        costs.push(next(&mut printed)?);
-        if let (Event::Usb(act), Some(port)) = (event, port) {
-            act(port)?;
+        cycles.push(next_cycles(&mut lines)?);
+        if let (Event::Usb(transfer), Some(port)) = (event, port) {
+            transfer(port)?;
         }
     }
-    costs.push(next(&mut printed)?);
-    Ok(costs)
+    cycles.push(next_cycles(&mut lines)?);
+    Ok(cycles)
 }
 
-fn next(printed: &mut Lines<impl BufRead>) -> Result<Cost> {
-    let line = printed.next().context("no picture ended")??;
-    let numbers = line.strip_prefix("cycles: ").unwrap_or_default();
-    let (cycles, bytes) = numbers.split_once(", bytes: ").context(line.clone())?;
-    Ok(Cost {
-        cycles: cycles.parse()?,
-        bytes: bytes.parse()?,
-    })
+/// Prints and parses a line such as "cycles: 1234, bytes: 567".
+fn next_cycles(lines: &mut Lines<impl BufRead>) -> Result<u64> {
+    let line = lines
+        .next()
+        .context("the emulator ended before a picture")??;
+    println!("{line}");
+    let cycles = line
+        .strip_prefix("cycles: ")
+        .and_then(|rest| rest.split(',').next());
+    Ok(cycles.context("the emulator printed no cycles")?.parse()?)
 }
 
-/// The pictures of a stream.
-fn pictures(stream: &[u8]) -> Result<Vec<Picture>> {
+/// Decodes pairs of D/C level and byte.
+fn decode(stream: &[u8]) -> Result<Vec<Picture>> {
     let mut controller = Controller::new(PANEL);
     let mut pictures = Vec::new();
     let (pairs, _) = stream.as_chunks();
@@ -140,16 +113,14 @@ fn pictures(stream: &[u8]) -> Result<Vec<Picture>> {
     Ok(pictures)
 }
 
-/// Installs the emulator, once for each version.
+/// Installs the emulator's npm packages unless the installed versions are those of the lock file.
 fn install() -> Result<()> {
     let folder = root().join(FOLDER);
-    let installed = folder.join("node_modules/.package-lock.json");
-    let newer = |file: &Path| fs::metadata(file)?.modified();
-    let is_there = match (newer(&installed), newer(&folder.join("package-lock.json"))) {
-        (Ok(installed), Ok(wanted)) => installed >= wanted,
-        _ => false,
-    };
-    if is_there {
+    let modified = |file: &str| fs::metadata(folder.join(file)).and_then(|file| file.modified());
+    let installed = modified("node_modules/.package-lock.json");
+    if let (Ok(installed), Ok(locked)) = (installed, modified("package-lock.json"))
+        && installed >= locked
+    {
         return Ok(());
     }
     tools::install_npm()?;

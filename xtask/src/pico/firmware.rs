@@ -1,5 +1,3 @@
-//! Building the firmware.
-
 use std::env;
 use std::path::{Path, PathBuf};
 
@@ -9,8 +7,7 @@ use crate::board::PICO;
 use crate::command::{command, run};
 use crate::size;
 
-/// The firmware as it is flashed, with these scenes or, if none are given, those
-/// that it has by default: an ELF file.
+/// Builds the firmware with these scenes, or with the default scenes if the list is empty.
 pub(super) fn build(scenes: &[&Path]) -> Result<PathBuf> {
     if scenes.is_empty() {
         return PICO.build(None);
@@ -19,22 +16,22 @@ pub(super) fn build(scenes: &[&Path]) -> Result<PathBuf> {
     PICO.build(Some(Path::new(&list)))
 }
 
-/// What Clippy says.
+/// Runs Clippy.
 pub(super) fn lint() -> Result<()> {
     let mut clippy = PICO.cargo("clippy");
     clippy.args(["--release", "--quiet", "--locked", "--", "-D", "warnings"]);
     run(&mut clippy)
 }
 
-/// The file that a Pico takes by drag and drop.
+/// Converts an ELF file to UF2 and returns the path.
 pub(super) fn uf2(elf: &Path) -> Result<PathBuf> {
     let file = elf.with_extension("uf2");
     run(command("elf2uf2-rs").arg(elf).arg(&file))
-        .context("to install it: cargo install --locked elf2uf2-rs --no-default-features")?;
+        .context("run `cargo install --locked elf2uf2-rs --no-default-features`")?;
     Ok(file)
 }
 
-/// Prints the flash that it takes, and the RAM without the stack.
+/// Prints flash and static RAM.
 pub(super) fn print_size(elf: &Path) -> Result<()> {
     let usage = size::usage(elf)?;
     println!("flash: {}\nstatics: {}", usage.flash, usage.ram);

@@ -1,5 +1,4 @@
-//! A pseudo-terminal, which stands for the USB between the emulator and programs
-//! on the host.
+//! A pseudo-terminal in place of the USB cable between the emulator and the host.
 
 use std::path::{Path, PathBuf};
 use std::process::Stdio;
@@ -8,20 +7,20 @@ use std::time::{Duration, Instant};
 use anyhow::{Context, Result, bail};
 use serial2::SerialPort;
 
-/// The emulator is a few times slower than a board.
-const PATIENCE: Duration = Duration::from_secs(60);
+/// Longest wait for an answer. The emulator is a few times slower than the board.
+const TIMEOUT: Duration = Duration::from_secs(60);
 
-/// Both ends.
+/// Both ends of the terminal.
 pub(super) struct Port {
     device: SerialPort,
-    /// Kept open, as the terminal is a terminal only while somebody has it.
+    /// Kept open, because the terminal exists only while its host end is open.
     host: SerialPort,
     path: PathBuf,
 }
 
 impl Port {
     pub(super) fn new() -> Result<Self> {
-        let (device, mut host) = SerialPort::pair().context("no pseudo-terminal")?;
+        let (device, mut host) = SerialPort::pair().context("cannot open a pseudo-terminal")?;
         host.set_read_timeout(Duration::from_millis(100))?;
         let name = rustix::pty::ptsname(&device, Vec::new())?;
         Ok(Self {
@@ -31,20 +30,20 @@ impl Port {
         })
     }
 
-    /// What programs on the host open.
+    /// Returns the path that programs on the host open.
     pub(super) fn path(&self) -> &Path {
         &self.path
     }
 
-    /// The emulator's end.
+    /// Returns the emulator's end.
     pub(super) fn device(&self) -> Result<Stdio> {
         Ok(std::os::fd::OwnedFd::from(self.device.try_clone()?).into())
     }
 
-    /// Sends bytes, and returns the line that the board answers.
-    pub(super) fn ask(&self, bytes: &[u8]) -> Result<String> {
+    /// Sends bytes and returns the line that the board answers.
+    pub(super) fn request(&self, bytes: &[u8]) -> Result<String> {
         self.host.write_all(bytes)?;
-        let deadline = Instant::now() + PATIENCE;
+        let deadline = Instant::now() + TIMEOUT;
         let mut line = Vec::new();
         while !line.ends_with(b"\n") {
             let mut byte = [0];
@@ -54,7 +53,7 @@ impl Port {
                 Err(error) => return Err(error.into()),
             }
             if Instant::now() > deadline {
-                bail!("the board does not answer: {}", line.escape_ascii());
+                bail!("the board did not answer: {}", line.escape_ascii());
             }
         }
         Ok(String::from_utf8(line)?.trim_end().to_owned())

@@ -1,120 +1,126 @@
-//! What the library must not contain: panics, `unsafe`; and where alone it may
-//! use floats, and name the crate of the displays.
+//! Names that a file defines, imports and mentions.
 
-use std::path::Path;
+use std::collections::BTreeSet;
 
-use super::Complaint;
-use super::tokens::Source;
+use super::source::Source;
 
-/// Where colors become pixels, and lines meet a DrawTarget.
-const DISPLAY_FILES: [&str; 6] = [
-    "src/pixel.rs",
-    "src/drawing.rs",
-    "src/changes.rs",
-    "src/renderer.rs",
-    "src/renderer/display.rs",
-    "src/antialias.rs",
+/// Segments of a path, such as `crate`, `math`, `Real`.
+pub(super) type ModulePath = Vec<String>;
+
+/// Keywords before the name of an item.
+const ITEMS: [&str; 8] = [
+    "const", "enum", "fn", "static", "struct", "trait", "type", "union",
 ];
 
-/// Where angles become sines and cosines, by micromath.
-const FLOAT_FILE: &str = "src/angle.rs";
-
-const PANICKING_METHODS: [&str; 4] = ["unwrap", "expect", "unwrap_err", "expect_err"];
-const PANICKING_MACROS: [&str; 4] = ["panic", "todo", "unimplemented", "unreachable"];
-
-/// Complains about each token that must not be there.
-pub(super) fn check(source: &Source) -> Vec<Complaint> {
-    let complaint = |index| complaint(source, index).map(|what| source.complain(index, what));
-    (0..source.tokens.len()).filter_map(complaint).collect()
+/// A `use` declaration of one name.
+pub(super) struct Use {
+    /// Name in this file, or `*`.
+    pub(super) name: String,
+    /// Path as written, without a final `*` or `self`.
+    pub(super) path: ModulePath,
+    pub(super) is_public: bool,
+    pub(super) line: usize,
 }
 
-fn complaint(source: &Source, index: usize) -> Option<&'static str> {
-    let text = source.text(index);
-    let after_dot = source.before(index, 1) == "." && source.before(index, 2) != ".";
-    let is_float = text == "f32" || text == "f64" || (is_float(text) && !after_dot);
-    if is_float && source.path != Path::new(FLOAT_FILE) {
-        return Some("floating point: every target must compute the same");
-    }
-    if text == "unsafe" {
-        return Some("unsafe: the library needs none");
-    }
-    if PANICKING_METHODS.contains(&text) && after_dot
-        || PANICKING_MACROS.contains(&text) && source.text(index + 1) == "!"
-    {
-        return Some("panics: tracing is total, and what can fail returns an error");
-    }
-    if text == "embedded_graphics_core"
-        && !DISPLAY_FILES
-            .iter()
-            .any(|file| source.path == Path::new(file))
-    {
-        return Some("embedded_graphics_core: named only where pixels meet displays");
-    }
-    None
+#[derive(Default)]
+pub(super) struct Names {
+    /// Items outside of blocks.
+    pub(super) items: BTreeSet<String>,
+    pub(super) uses: Vec<Use>,
+    /// Paths of several segments outside of `use`, and their lines.
+    pub(super) paths: Vec<(ModulePath, usize)>,
+    /// First segments of paths, and all other identifiers.
+    pub(super) mentioned: BTreeSet<String>,
 }
 
-/// Whether a literal is one of floating point. (After a dot it is the index of
-/// a tuple in a tuple, `pair.0.1`.)
-fn is_float(literal: &str) -> bool {
-    let is_number = literal.starts_with(|first: char| first.is_ascii_digit());
-    let is_decimal = !["0x", "0b", "0o"]
-        .iter()
-        .any(|prefix| literal.starts_with(prefix));
-    let exponent = literal.find(['e', 'E']).is_some_and(|e| {
-        literal[e + 1..].starts_with(|next: char| next.is_ascii_digit() || "+-".contains(next))
-    });
-    is_number
-        && is_decimal
-        && (literal.contains('.')
-            || exponent
-            || literal.ends_with("f32")
-            || literal.ends_with("f64"))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn complaints(path: &str, text: &str) -> Vec<Complaint> {
-        Source::parse(Path::new(path), text)
-            .map_or_else(|error| vec![error.to_string()], |source| check(&source))
-    }
-
-    #[test]
-    fn each_breach_is_caught() {
-        for text in [
-            "fn f(x: f32) {}",
-            "const C: I = I::from_num(0.5);",
-            "let x = 1e3;",
-            "let x = 1f64;",
-            "let x = a..0.5;",
-            "unsafe { f() }",
-            "let x = y.unwrap();",
-            "let x = y.expect(\"there\");",
-            "panic!(\"no\")",
-            "todo!()",
-            "use embedded_graphics_core::prelude::*;",
-        ] {
-            assert_eq!(complaints("src/shade.rs", text).len(), 1, "{text}");
+impl Names {
+    pub(super) fn of(source: &Source) -> Self {
+        let mut names = Self::default();
+        let (mut at, mut depth) = (0, 0);
+        while at < source.tokens.len() {
+            match source.text(at) {
+                "{" => depth += 1,
+                "}" => depth -= 1,
+                // `use<'a>` is a bound.
+                "use" if source.text(at + 1) != "<" => {
+                    let before = |distance| at.checked_sub(distance).map(|at| source.text(at));
+                    // `pub use` or `pub(crate) use`.
+                    let is_public = before(1) == Some("pub")
+                        || before(1) == Some(")") && before(4) == Some("pub");
+                    at = names.read_use(source, at + 1, &[], is_public);
+                    continue;
+                }
+                keyword if ITEMS.contains(&keyword) && depth == 0 => {
+                    names.items.insert(source.text(at + 1).to_owned());
+                }
+                "macro_rules" => {
+                    names.items.insert(source.text(at + 2).to_owned());
+                }
+                text => {
+                    names.mentioned.insert(text.to_owned());
+                    if source.text(at + 1) == "::" {
+                        at = names.read_path(source, at);
+                    }
+                }
+            }
+            at += 1;
         }
+        names
     }
 
-    #[test]
-    fn what_only_looks_like_a_breach_is_not() {
-        for text in [
-            "// 0.5 of an f32, and unsafe; panic!()",
-            "/// `x.unwrap()` is 0.5\nfn f() {}",
-            "#![forbid(unsafe_code)]",
-            "#[cfg(test)] mod tests { fn f() { g().unwrap(); } }",
-            "const C: Real = Real::lit(\"0.5\");",
-            "let x = pair.0.1; let y = 0..10; let z = 0x1e5; let w = 1usize;",
-            "let x = y.unwrap_or(0);",
-            "fn unreachable() {}",
-        ] {
-            assert_eq!(complaints("src/shade.rs", text), [""; 0], "{text}");
+    /// Reads the path that starts here and returns the index of its last token.
+    fn read_path(&mut self, source: &Source, start: usize) -> usize {
+        let mut path = vec![source.text(start).to_owned()];
+        let mut at = start;
+        while source.text(at + 1) == "::" && is_identifier(source.text(at + 2)) {
+            path.push(source.text(at + 2).to_owned());
+            at += 2;
         }
-        assert_eq!(complaints("src/angle.rs", "fn f(x: f32) {}"), [""; 0]);
-        let display = "use embedded_graphics_core::prelude::*;";
-        assert_eq!(complaints("src/pixel.rs", display), [""; 0]);
+        self.paths.push((path, source.tokens[start].line));
+        at
     }
+
+    /// Reads a tree of imports below a prefix and returns the index after it.
+    fn read_use(
+        &mut self,
+        source: &Source,
+        mut at: usize,
+        prefix: &[String],
+        is_public: bool,
+    ) -> usize {
+        if source.text(at) == "{" {
+            at += 1;
+            while !["}", ""].contains(&source.text(at)) {
+                at = self.read_use(source, at, prefix, is_public);
+                at += usize::from(source.text(at) == ",");
+            }
+            return at + 1;
+        }
+        let segment = source.text(at).to_owned();
+        if source.text(at + 1) == "::" {
+            let prefix = [prefix, &[segment]].concat();
+            return self.read_use(source, at + 2, &prefix, is_public);
+        }
+        let path = match segment.as_str() {
+            "*" | "self" => prefix.to_vec(),
+            _ => [prefix, std::slice::from_ref(&segment)].concat(),
+        };
+        let is_renamed = source.text(at + 1) == "as";
+        let name = match segment.as_str() {
+            _ if is_renamed => source.text(at + 2).to_owned(),
+            "*" => segment,
+            _ => path.last().cloned().unwrap_or_default(),
+        };
+        self.uses.push(Use {
+            name,
+            path,
+            is_public,
+            line: source.tokens.get(at).map_or(0, |token| token.line),
+        });
+        at + if is_renamed { 3 } else { 1 }
+    }
+}
+
+fn is_identifier(text: &str) -> bool {
+    text.starts_with(|first: char| first.is_alphabetic() || first == '_')
 }

@@ -1,117 +1,123 @@
-use std::iter::Peekable;
 use std::path::{Path, PathBuf};
+use std::str::FromStr;
 
 use anyhow::{Result, anyhow};
-use proc_macro2::{Delimiter, TokenStream, TokenTree, token_stream};
+use proc_macro2::{Delimiter, Spacing, TokenStream, TokenTree};
 
-/// A source file of the library, as tokens.
+/// A Rust file as a flat list of tokens, without comments, attributes and tests.
 pub(super) struct Source {
+    /// Path relative to the root of the project.
     pub(super) path: PathBuf,
-    /// The module of `src` that it belongs to.
-    pub(super) module: String,
-    /// Identifiers, keywords and literals.
-    pub(super) words: Vec<Word>,
-    /// What is named right after `crate::`, and on which line.
-    pub(super) uses: Vec<(String, usize)>,
+    pub(super) tokens: Vec<Token>,
 }
 
-pub(super) struct Word {
+/// An identifier, a literal, `::`, or one character of punctuation or a bracket.
+pub(super) struct Token {
     pub(super) text: String,
     pub(super) line: usize,
-    pub(super) is_float: bool,
 }
-
-type Tokens = Peekable<token_stream::IntoIter>;
 
 impl Source {
-    pub(super) fn read(path: &Path, text: &str) -> Result<Self> {
-        let tokens: TokenStream = text.parse().map_err(|error| anyhow!("{error}"))?;
-        // The first folder or file below `src`.
-        let mut parts = path
-            .components()
-            .map(|part| part.as_os_str())
-            .skip_while(|part| *part != "src");
-        let module = Path::new(parts.nth(1).unwrap_or_default()).with_extension("");
-        let mut source = Self {
+    pub(super) fn parse(path: &Path, text: &str) -> Result<Self> {
+        let stream = TokenStream::from_str(text).map_err(|error| {
+            let line = error.span().start().line;
+            anyhow!("{}:{line}: {error}", path.display())
+        })?;
+        let mut tokens = Vec::new();
+        flatten(stream, &mut tokens);
+        Ok(Self {
             path: path.to_owned(),
-            module: module.display().to_string(),
-            words: Vec::new(),
-            uses: Vec::new(),
-        };
-        source.visit(tokens);
-        Ok(source)
+            tokens,
+        })
     }
 
-    fn visit(&mut self, tokens: TokenStream) {
-        let mut tokens = tokens.into_iter().peekable();
-        while let Some(token) = tokens.next() {
-            match token {
-                TokenTree::Punct(punct) if punct.as_char() == '#' => {
-                    if is_cfg_test(tokens.peek()) {
-                        skip_item(&mut tokens);
-                    }
-                }
-                TokenTree::Ident(ident) if ident == "crate" => self.visit_path(&mut tokens),
-                TokenTree::Group(group) => self.visit(group.stream()),
-                TokenTree::Ident(_) | TokenTree::Literal(_) => {
-                    let (text, line) = (token.to_string(), token.span().start().line);
-                    let is_float = matches!(token, TokenTree::Literal(_)) && is_float(&text);
-                    self.words.push(Word {
-                        text,
-                        line,
-                        is_float,
-                    });
-                }
-                TokenTree::Punct(_) => {}
-            }
-        }
+    /// Returns the text of a token, or "" before the first and after the last token.
+    pub(super) fn text(&self, index: usize) -> &str {
+        self.tokens.get(index).map_or("", |token| &token.text)
     }
 
-    /// What follows `crate`: `::name`, or `::{name, other::name}`.
-    fn visit_path(&mut self, tokens: &mut Tokens) {
-        while tokens.next_if(|token| token.to_string() == ":").is_some() {}
-        match tokens.peek() {
-            Some(TokenTree::Ident(ident)) => {
-                let line = ident.span().start().line;
-                self.uses.push((ident.to_string(), line));
-            }
-            Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Brace => {
-                let mut is_first = true;
-                for token in group.stream() {
-                    match token {
-                        TokenTree::Ident(ident) if is_first => {
-                            self.uses
-                                .push((ident.to_string(), ident.span().start().line));
-                            is_first = false;
-                        }
-                        TokenTree::Punct(punct) if punct.as_char() == ',' => is_first = true,
-                        _ => {}
-                    }
+    /// Formats a violation at a line.
+    pub(super) fn at(&self, line: usize, violation: &str) -> String {
+        format!("{}:{line}: {violation}", self.path.display())
+    }
+}
+
+fn flatten(stream: TokenStream, tokens: &mut Vec<Token>) {
+    let mut trees = stream.into_iter().peekable();
+    while let Some(tree) = trees.next() {
+        let line = tree.span().start().line;
+        match tree {
+            TokenTree::Punct(mark) if mark.as_char() == '#' => {
+                let is_inner = trees.next_if(|tree| tree.to_string() == "!").is_some();
+                if !trees.next().is_some_and(|attribute| is_test(&attribute)) {
+                    continue;
                 }
+                if is_inner {
+                    return;
+                }
+                // An item ends with its body or a semicolon.
+                trees.by_ref().find(|tree| match tree {
+                    TokenTree::Group(group) => group.delimiter() == Delimiter::Brace,
+                    tree => tree.to_string() == ";",
+                });
             }
-            // `pub(crate)`
-            _ => {}
+            TokenTree::Punct(mark) if mark.as_char() == ':' && mark.spacing() == Spacing::Joint => {
+                trees.next_if(|tree| tree.to_string() == ":");
+                push("::", line, tokens);
+            }
+            TokenTree::Group(group) => {
+                let [open, close] = match group.delimiter() {
+                    Delimiter::Parenthesis => ["(", ")"],
+                    Delimiter::Brace => ["{", "}"],
+                    Delimiter::Bracket => ["[", "]"],
+                    Delimiter::None => ["", ""],
+                };
+                push(open, line, tokens);
+                flatten(group.stream(), tokens);
+                push(close, group.span_close().start().line, tokens);
+            }
+            other => push(&other.to_string(), line, tokens),
         }
     }
 }
 
-fn is_cfg_test(attribute: Option<&TokenTree>) -> bool {
-    matches!(attribute, Some(TokenTree::Group(group)) if group.stream().to_string().replace(' ', "") == "cfg(test)")
+fn push(text: &str, line: usize, tokens: &mut Vec<Token>) {
+    let text = text.to_owned();
+    tokens.push(Token { text, line });
 }
 
-/// Passes an attribute and the item behind it, to its body or its semicolon.
-fn skip_item(tokens: &mut Tokens) {
-    for token in tokens {
-        match token {
-            TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => return,
-            TokenTree::Punct(punct) if punct.as_char() == ';' => return,
-            _ => {}
-        }
+/// Returns true for the brackets of `#[test]` and `#[cfg(test)]`.
+fn is_test(attribute: &TokenTree) -> bool {
+    let text: String = attribute.to_string().split_whitespace().collect();
+    matches!(text.as_str(), "[test]" | "[cfg(test)]")
+}
+
+#[cfg(test)]
+pub(super) fn parse_all(files: &[(&str, &str)]) -> Result<Vec<Source>> {
+    let files = files.iter();
+    let parse = |(path, text): &(&str, &str)| Source::parse(path.as_ref(), text);
+    files.map(parse).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn omits_comments_attributes_and_tests() -> Result<()> {
+        let text = "
+            //! Text.
+            #![no_std]
+            #[inline] fn f() {} // text
+            #[cfg(test)] mod tests { fn g() {} }
+            #[cfg(test)] use std::vec;
+            const C: u8 = a::b;
+        ";
+        let source = Source::parse(Path::new("a.rs"), text)?;
+        let texts: Vec<_> = source.tokens.iter().map(|token| &*token.text).collect();
+        assert_eq!(texts.join(" "), "fn f ( ) { } const C : u8 = a :: b ;");
+        let tests = Source::parse(Path::new("a.rs"), "#![cfg(test)] fn f() {}")?;
+        assert!(tests.tokens.is_empty());
+        Ok(())
     }
-}
-
-fn is_float(literal: &str) -> bool {
-    literal.starts_with(|c: char| c.is_ascii_digit())
-        && !literal.starts_with("0x")
-        && (literal.contains(['.', 'e']) || literal.ends_with("f32") || literal.ends_with("f64"))
 }

@@ -1,10 +1,6 @@
-//! What no file of the project may say.
-
 use std::path::Path;
 
-use super::Complaint;
-
-/// Places of somebody's machine. In two parts, so that this file passes.
+/// Paths of single machines. Each is in two parts, so that this file passes the check.
 const PLACES: [&str; 5] = [
     concat!("/ho", "me/"),
     concat!("/ro", "ot/"),
@@ -13,19 +9,18 @@ const PLACES: [&str; 5] = [
     concat!("../sha", "red"),
 ];
 
-/// Complains about each line that names a place outside of the project.
-pub(super) fn check(path: &Path, text: &str) -> Vec<Complaint> {
-    let mut complaints = Vec::new();
-    for (number, line) in text.lines().enumerate() {
+/// Returns a violation for each line with a path of a single machine.
+pub(super) fn check(path: &Path, text: &str) -> Vec<String> {
+    let mut violations = Vec::new();
+    for (line, number) in text.lines().zip(1..) {
         if let Some(place) = PLACES.iter().find(|place| line.contains(*place)) {
-            complaints.push(format!(
-                "{}:{}: names {place}, which is on one machine only",
-                path.display(),
-                number + 1
+            let path = path.display();
+            violations.push(format!(
+                "{path}:{number}: {place} exists on one machine only"
             ));
         }
     }
-    complaints
+    violations
 }
 
 #[cfg(test)]
@@ -33,10 +28,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn places_are_caught() {
+    fn finds_paths_of_single_machines() {
         let text = format!("fine\nsee {}me/notes\n", PLACES[0]);
-        let complaints = check(Path::new("README.md"), &text);
-        assert_eq!(complaints.len(), 1);
-        assert!(complaints[0].starts_with("README.md:2: "));
+        let violations = check(Path::new("README.md"), &text);
+        assert_eq!(violations.len(), 1);
+        assert!(violations[0].starts_with("README.md:2: "));
     }
 }

@@ -1,27 +1,21 @@
-//! Estimates of frame times on microcontrollers.
+//! Estimated frame times on microcontrollers.
 
-use whitted_sim::cost::{BOARDS, Model, Work};
+use whitted_sim::cost::{BOARDS, Work};
 
 use crate::number::{duration, two_digits};
-use crate::outcome::Outcome;
 
-/// Prints an estimate for each core, at the clock rate of a chip with that core.
-pub(crate) fn print(work: &Work) -> Outcome {
-    let model = Model::committed()?;
-    println!("estimates, without display driver and flash wait states (docs/cost-model.md):");
+/// Prints an estimate for each board.
+pub(crate) fn print(work: &Work) {
+    println!("estimates, without display transfer and flash wait states (docs/cost-model.md):");
     for board in BOARDS {
-        let Some(core) = model.core(board.core) else {
-            continue;
-        };
         let place = format!(
             "{} at {} MHz ({})",
             board.title, board.megahertz, board.chip
         );
         println!(
             "  on a {place:33} about {:>6} {:>6} M instructions",
-            duration(core.seconds(work, &board)),
-            two_digits(core.instructions(work) / 1e6),
+            duration(board.seconds(work)),
+            two_digits(board.instructions(work) / 1e6),
         );
     }
-    Ok(())
 }

@@ -49,7 +49,7 @@ pub(crate) fn draw_frame(
     let work = match passes.samples() {
         None => draw_passes(scene, options, passes, &mut panel, progress)?,
         Some(samples) => {
-            let (work, mut memory) = (Work::new(scene), two_lines(size));
+            let (work, mut memory) = (Work::new(scene, size), two_lines(size));
             let mut renderer =
                 AntialiasedRenderer::with_observer(scene, size, samples, &mut memory, work)?;
             renderer.set_output(options.output());
@@ -72,7 +72,7 @@ fn draw_passes(
     panel: &mut Panel,
     progress: &mut Progress,
 ) -> Outcome<Work> {
-    let mut renderer = Renderer::with_observer(scene, panel.size(), Work::new(scene));
+    let mut renderer = Renderer::with_observer(scene, panel.size(), Work::new(scene, panel.size()));
     renderer.set_output(options.output());
     let area = panel.bounding_box();
     let mut steps = match passes.order {

@@ -27,7 +27,7 @@ pub(crate) fn linear(
     samples: Option<SampleCount>,
 ) -> Outcome<Linear> {
     let mut progress = Progress::new(size.height);
-    let work = Work::new(scene);
+    let work = Work::new(scene, size);
     let (picture, work) = match samples {
         None => {
             let mut renderer = Renderer::with_observer(scene, size, work);

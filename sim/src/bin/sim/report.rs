@@ -39,7 +39,8 @@ pub(crate) fn stats(work: &Work, time: Duration) -> Outcome {
     );
     println!("intersection tests: {intersections}");
     println!("time: {:.3} s", time.as_secs_f64());
-    boards::print(work)
+    boards::print(work);
+    Ok(())
 }
 
 /// Prints the checksum of a picture's linear samples.

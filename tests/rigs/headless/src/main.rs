@@ -12,10 +12,7 @@ use measure::Stopwatch;
 use mps2::{Job, NullDisplay};
 use whitted::{DecodeError, PreparedScene, Renderer, SceneBuffer};
 
-#[cfg(not(feature = "crowd"))]
 type Buffer = SceneBuffer<64, 8, 64>;
-#[cfg(feature = "crowd")]
-type Buffer = SceneBuffer<256, 1, 1>;
 type File = [u8; 16 * 1024];
 
 /// Scene, renderer and buffers are static, so the measured stack contains only call

@@ -29,6 +29,8 @@ pub(crate) fn prepare() {
 pub(crate) fn decode() {
     let bytes: &[u8] = black_box(&[]);
     black_box(SceneCounts::of_all(&[bytes]));
+    let counts = SceneCounts::of_compiled(bytes).objects(1).lights(1);
+    black_box(counts.materials(1).max(SceneCounts::EMPTY));
     let mut buffer = Buffer::new();
     match buffer.decode(bytes) {
         Ok(scene) => draw(scene),

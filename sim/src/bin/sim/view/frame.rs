@@ -57,7 +57,7 @@ impl Frame {
             Order::Scanlines => RenderProgress::scanlines(area),
         };
         self.edges = edges;
-        self.work = Work::new(scene);
+        self.work = Work::new(scene, self.panel.size());
         self.memory = memory(scene.counts());
         self.renderer = match edges {
             None => size_of::<Renderer<'_>>(),
@@ -86,7 +86,7 @@ impl Frame {
         let Some(samples) = self.edges.take() else {
             return;
         };
-        let (size, work) = (self.panel.size(), Work::new(scene));
+        let (size, work) = (self.panel.size(), Work::new(scene, self.panel.size()));
         let mut lines = two_lines(size);
         let smooth = AntialiasedRenderer::with_observer(scene, size, samples, &mut lines, work);
         // Pictures too large for the antialiasing renderer stay without antialiasing.

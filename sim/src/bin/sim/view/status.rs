@@ -6,7 +6,7 @@ use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::text::{Baseline, Text};
 use whitted::observer::Stats;
-use whitted_sim::cost::{Board, Model, Work};
+use whitted_sim::cost::{Board, Work};
 
 use super::keys::HELP;
 use crate::number::{duration, grouped};
@@ -34,7 +34,6 @@ pub(super) struct Status<'a> {
     pub(super) work: &'a Work,
     /// Drawn share of the picture in percent.
     pub(super) percent: u64,
-    pub(super) model: &'a Model,
     pub(super) board: Board,
     /// Size of the prepared scene in bytes.
     pub(super) memory: usize,
@@ -108,13 +107,12 @@ impl Status<'_> {
         let rays = [camera, reflected, transmitted].map(u64::from).iter().sum();
         let [rays, shadow] = [rays, shadow.into()].map(grouped);
         let Board {
-            core,
             title,
             chip,
             megahertz,
+            ..
         } = self.board;
-        let core = self.model.core(core);
-        let seconds = core.map_or(0.0, |core| core.seconds(self.work, &self.board));
+        let seconds = self.board.seconds(self.work);
         format!(
             "{} % drawn: {rays} rays, {shadow} shadow rays, about {} on a {title} at {megahertz} MHz ({chip})",
             self.percent,

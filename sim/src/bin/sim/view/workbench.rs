@@ -3,7 +3,6 @@ use std::path::Path;
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics_simulator::SimulatorDisplay;
 use whitted::{Camera, PreparedScene};
-use whitted_sim::cost::Model;
 use whitted_sim::scene_file::Buffer;
 
 use super::cycle::Cycle;
@@ -25,7 +24,6 @@ pub(super) struct Workbench {
     options: Options,
     viewpoint: Viewpoint,
     quality: Quality,
-    model: Model,
     /// Buffer in which each drawing step prepares the scene.
     buffer: Box<Buffer>,
     frame: Frame,
@@ -48,7 +46,6 @@ impl Workbench {
             options,
             viewpoint: Viewpoint::default(),
             quality,
-            model: Model::committed()?,
             buffer: Box::new(Buffer::new()),
             message: GREETING.to_owned(),
             shows_help: false,
@@ -135,7 +132,6 @@ impl Workbench {
             options: self.options.text(),
             work: &self.frame.work,
             percent: self.frame.percent(),
-            model: &self.model,
             board: *self.options.boards.current(),
             memory: self.frame.memory,
             renderer: self.frame.renderer,

@@ -1,0 +1,51 @@
+//! The Cortex-M cores that QEMU emulates.
+
+use std::fmt;
+
+use clap::ValueEnum;
+
+/// A core that the headless firmware runs on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, ValueEnum)]
+pub enum Core {
+    /// Cortex-M0+. QEMU runs its code on an M3, because its only M0 board has 16 KB of RAM.
+    M0,
+    /// Cortex-M3.
+    M3,
+    /// Cortex-M4 with an FPU.
+    M4f,
+    /// Cortex-M7 with an FPU; runs the machine code of the M4F.
+    M7,
+    /// Cortex-M33 with an FPU.
+    M33,
+}
+
+impl Core {
+    /// All cores.
+    pub const ALL: [Self; 5] = [Self::M0, Self::M3, Self::M4f, Self::M7, Self::M33];
+
+    /// The cores with machine code of their own.
+    pub const DISTINCT: [Self; 4] = [Self::M0, Self::M3, Self::M4f, Self::M33];
+
+    /// Returns the name for tables.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::M0 => "Cortex-M0+",
+            Self::M3 => "Cortex-M3",
+            Self::M4f => "Cortex-M4F",
+            Self::M7 => "Cortex-M7",
+            Self::M33 => "Cortex-M33",
+        }
+    }
+
+    /// Returns true if the core computes floats in hardware.
+    pub fn has_fpu(self) -> bool {
+        !matches!(self, Self::M0 | Self::M3)
+    }
+}
+
+/// Writes the name on the command line, such as `m4f`.
+impl fmt::Display for Core {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", format!("{self:?}").to_lowercase())
+    }
+}

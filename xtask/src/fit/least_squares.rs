@@ -1,0 +1,45 @@
+/// Returns the prices, none below 0, that bring `row · prices` closest to 1 for every row in the
+/// sense of least squares.
+///
+/// Coordinate descent: each price in turn takes its best value while the others stay.
+pub(super) fn non_negative<const N: usize>(rows: &[[f64; N]]) -> [f64; N] {
+    const ROUNDS: usize = 50_000;
+    let mut prices = [0.0; N];
+    let mut errors = vec![1.0; rows.len()];
+    for item in (0..N).cycle().take(ROUNDS * N) {
+        let pairs = rows.iter().zip(&errors);
+        let slope: f64 = pairs.map(|(row, error)| row[item] * error).sum();
+        let square: f64 = rows.iter().map(|row| row[item] * row[item]).sum();
+        if square > 0.0 {
+            let best = f64::max(0.0, prices[item] + slope / square);
+            for (row, error) in rows.iter().zip(&mut errors) {
+                *error -= row[item] * (best - prices[item]);
+            }
+            prices[item] = best;
+        }
+    }
+    prices
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn finds_exact_prices() {
+        // Each row is divided by its product with the prices 2, 0.5, 3.
+        let rows = [[1.0, 2.0, 3.0], [4.0, 1.0, 0.0], [2.0, 2.0, 9.0]];
+        let products = [12.0, 8.5, 32.0];
+        let rows = [0, 1, 2].map(|row| rows[row].map(|amount| amount / products[row]));
+        for (found, price) in non_negative(&rows).into_iter().zip([2.0, 0.5, 3.0]) {
+            assert!((found - price).abs() < 1e-3, "{found} {price}");
+        }
+    }
+
+    #[test]
+    fn returns_no_negative_price() {
+        // Without the constraint, the solution is [2, -1].
+        let found = non_negative(&[[1.0, 1.0], [2.0, 3.0]]);
+        assert!(found[0] > 0.0 && found[1] == 0.0, "{found:?}");
+    }
+}

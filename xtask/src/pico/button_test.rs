@@ -1,0 +1,75 @@
+//! One run of the firmware that presses all buttons and sends scenes over USB.
+
+use std::fs;
+
+use anyhow::{Context, Result, ensure};
+use whitted_sim::scene_file;
+
+use super::emulator::{self, Button, Event};
+use super::port::Port;
+use super::{firmware, panel, transfers};
+use crate::budget::Counts;
+use crate::{host, scene, scratch_dir};
+
+/// Most cycles of a picture that a button interrupts. The emulator presses after 20 M cycles.
+const INTERRUPTED: u64 = 30_000_000;
+
+/// Compares all complete pictures with the host's. Returns the cycles of three of them.
+pub(super) fn run() -> Result<Counts> {
+    let (first, last) = (scene("four_spheres"), scene("bouncing_ball"));
+    let sent = scene("still_life");
+    let mut bytes = scene_file::compile(&first)?;
+    bytes[40] ^= 1;
+    let damaged = scratch_dir()?.join("damaged-on-the-pico.bin");
+    fs::write(&damaged, &bytes)?;
+    let elf = firmware::build(&[&first, &damaged, &last])?;
+    firmware::print_size(&elf)?;
+
+    let program = transfers::build_sim()?;
+    let transfer = |port: &Port| {
+        transfers::send_invalid(port, &sent)?;
+        transfers::send(&program, port, &sent)
+    };
+    let events = [
+        Event::AfterPicture(Button::Next),
+        Event::AfterPicture(Button::Next),
+        Event::DuringPicture(Button::Right),
+        Event::Usb(&transfer),
+        Event::DuringPicture(Button::Next),
+        Event::DuringPicture(Button::Next),
+        Event::AfterPicture(Button::Next),
+        Event::DuringPicture(Button::Next),
+    ];
+    let error = host::decode_error(&bytes)?;
+    let error = || panel::message(&format!("This scene cannot be drawn: {error}."));
+    // Name, picture unless a button interrupts it, and true for a picture with a budget. The
+    // scene from USB comes after those in flash.
+    let expected = [
+        ("four_spheres", Some(panel::draw_on_host(&first)?), true),
+        ("an error", Some(error()?), false),
+        ("bouncing_ball", None, false),
+        (
+            "from the right",
+            Some(panel::draw_from_the_right(&last)?),
+            true,
+        ),
+        ("sent", None, false),
+        ("four_spheres again", None, false),
+        ("an error again", Some(error()?), false),
+        ("bouncing_ball again", None, false),
+        ("still_life", Some(panel::draw_on_host(&sent)?), true),
+    ];
+    let drawn = emulator::run(&elf, &events)?;
+    ensure!(drawn.len() == expected.len(), "{} pictures", drawn.len());
+    let mut counts = Counts::new();
+    for ((picture, cycles), (name, expected, has_budget)) in drawn.into_iter().zip(expected) {
+        match expected {
+            Some(expected) => panel::compare(&picture, &expected).context(name)?,
+            None => ensure!(cycles <= INTERRUPTED, "{name} took {cycles} cycles"),
+        }
+        if has_budget {
+            counts.insert(name.to_owned(), cycles);
+        }
+    }
+    Ok(counts)
+}
