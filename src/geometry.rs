@@ -6,7 +6,6 @@
 mod bounding_sphere;
 mod clip_box;
 mod cull_sphere;
-#[cfg(test)]
 mod culling_tests;
 mod extent;
 mod light_cone;

@@ -1,5 +1,7 @@
 //! Tests of the low-precision culling tests against double precision.
 
+#![cfg(test)]
+
 extern crate std;
 
 use fastrand::Rng;

@@ -6,7 +6,6 @@
 pub(super) mod cone;
 pub(super) mod cylinder;
 pub(super) mod ellipsoid;
-#[cfg(test)]
 mod error_bounds;
 mod form;
 pub(super) mod paraboloid;

@@ -7,7 +7,6 @@
 
 pub(super) mod authored;
 mod child_frame;
-#[cfg(test)]
 mod error_bounds;
 mod node;
 mod parameters;

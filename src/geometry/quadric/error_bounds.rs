@@ -1,5 +1,7 @@
 //! Error bounds of ellipsoid, cylinder, cone and paraboloid.
 
+#![cfg(test)]
+
 use fastrand::Rng;
 use fixed::types::I8F56;
 

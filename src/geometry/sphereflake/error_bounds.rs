@@ -1,5 +1,7 @@
 //! Error bounds of the sphereflake.
 
+#![cfg(test)]
+
 use fastrand::Rng;
 use fixed::types::U0F32;
 
