@@ -1,8 +1,8 @@
-//! `cargo bench`: compares the library with the `f32` reference tracer on the host.
+//! `cargo bench`: compares the speed of the library with that of the `f32` reference tracer, on
+//! the host.
 //!
-//! The `float` rig uses the same reference tracer. Both tracers draw the same RGB565
-//! frames line by line, on one thread, from prepared scenes. No test depends on the
-//! measured times.
+//! Both tracers draw the same RGB565 frames line by line, on one thread, from prepared scenes.
+//! The `float` rig also uses this reference tracer. No test depends on the measured times.
 
 use std::error::Error;
 use std::hint::black_box;
@@ -15,15 +15,15 @@ use embedded_graphics::prelude::*;
 use whitted::Renderer;
 use whitted_sim::scene_file;
 
-/// Scenes and frame sizes. The sphereflake is small: at 320x240 the `f32` tracer needs
-/// about a second per frame.
+/// Names of the scenes and their frame sizes. The sphereflake's frame is small because the
+/// `f32` tracer would need about a second for it at 320x240.
 const FRAMES: [(&str, Size); 3] = [
     ("whitted", Size::new(320, 240)),
     ("four_spheres", Size::new(320, 240)),
     ("sphereflake", Size::new(80, 60)),
 ];
 
-/// Number of frames per tracer for the speed ratio.
+/// Number of frames that each tracer draws to measure the speed ratio.
 const ROUNDS: usize = 31;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -43,7 +43,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let mut float = float(scene.scene(), size);
 
         let mut group = criterion.benchmark_group(format!("{name} {}x{}", size.width, size.height));
-        // Frames take milliseconds, so all samples have the same number of iterations.
+        // One frame takes milliseconds, so every sample can have the same number of iterations.
         group.sampling_mode(SamplingMode::Flat);
         group.bench_function("fixed point", |bencher| bencher.iter(&mut fixed));
         group.bench_function("f32", |bencher| bencher.iter(&mut float));
@@ -57,7 +57,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Returns a function that draws a frame with the library.
+/// Returns a function that draws one frame with the library.
 fn fixed(mut renderer: Renderer<'_>) -> impl FnMut() {
     let Size { width, height } = renderer.size();
     let mut line = vec![Rgb565::BLACK; width as usize];
@@ -69,7 +69,7 @@ fn fixed(mut renderer: Renderer<'_>) -> impl FnMut() {
     }
 }
 
-/// Returns a function that draws a frame with the reference tracer.
+/// Returns a function that draws one frame with the reference tracer.
 fn float(scene: whitted_oracle::Scene<'_, f32>, size: Size) -> impl FnMut() {
     let Size { width, height } = size;
     let view = scene.camera.view(width, height);
@@ -96,8 +96,8 @@ fn to_rgb565(color: whitted_oracle::Color<f32>) -> Rgb565 {
 
 /// Returns the time of the second tracer divided by the time of the first.
 ///
-/// The ratio is the median over pairs of frames. The tracers draw in turn, so that other
-/// load on the machine slows both.
+/// The tracers draw frames in turn, so that other load on the machine slows down both. The
+/// result is the median of the ratios of all pairs of frames.
 fn ratio(first: &mut impl FnMut(), second: &mut impl FnMut()) -> f64 {
     let mut ratios: Vec<f64> = (0..ROUNDS)
         .map(|_| {

@@ -1,6 +1,7 @@
-//! A ball that hops over another, moved by keyframes.
+//! A ball hops over another ball. Keyframes move it.
 //!
-//! `cargo run --example animation` writes `animation.png`: five frames side by side.
+//! `cargo run --example animation` writes `animation.png`, which shows five frames side by
+//! side.
 
 pub(crate) mod common;
 
@@ -18,7 +19,7 @@ use whitted::{
 /// Times of the frames in seconds.
 pub(crate) const TIMES: [&str; 5] = ["0", "0.25", "0.5", "0.75", "1"];
 
-/// The hopping ball is object 1, the mirror ball object 2.
+/// The scene at rest. The hopping ball is object 1, the mirror ball is object 2.
 pub(crate) static SCENE: Scene = Scene {
     background: Background::Gradient {
         horizon: Color::lit("0.55", "0.68", "0.8"),
@@ -29,7 +30,7 @@ pub(crate) static SCENE: Scene = Scene {
         Color::gray(Real::lit("1.25")),
     )],
     materials: &[
-        // 0: orange.
+        // Material 0: the orange ball.
         Material {
             ka: Color::lit("0.1", "0.04", "0.01"),
             kd: Color::lit("0.85", "0.3", "0.05"),
@@ -37,20 +38,20 @@ pub(crate) static SCENE: Scene = Scene {
             shininess: Real::lit("50"),
             ..Material::BLACK
         },
-        // 1: mirror.
+        // Material 1: the mirror ball.
         Material {
             ks: Color::gray(Real::lit("0.6")),
             shininess: Real::lit("150"),
             kr: Color::gray(Real::lit("0.8")),
             ..Material::BLACK
         },
-        // 2: white squares of the floor.
+        // Material 2: the white squares of the floor.
         Material {
             ka: Color::gray(Real::lit("0.1")),
             kd: Color::gray(Real::lit("0.7")),
             ..Material::BLACK
         },
-        // 3: green squares of the floor.
+        // Material 3: the green squares of the floor.
         Material {
             ka: Color::lit("0.01", "0.04", "0.03"),
             kd: Color::lit("0.06", "0.28", "0.2"),
@@ -92,7 +93,7 @@ pub(crate) static SCENE: Scene = Scene {
     ))
 };
 
-/// Two hops in a loop of 2 seconds, under a light that moves along.
+/// The ball hops twice in a loop of 2 seconds, while the light moves along.
 pub(crate) static HOPS: Animation = Animation {
     duration: Real::lit("2"),
     looping: true,
@@ -100,8 +101,8 @@ pub(crate) static HOPS: Animation = Animation {
         Track {
             target: Target::ObjectPosition(1),
             interpolation: Interpolation::Smooth,
-            // Three smooth keyframes make a parabola. Two keyframes at one time make a corner,
-            // where the ball bounces.
+            // Three keyframes with smooth interpolation make a parabola. Two keyframes at the
+            // same time make a corner in the path, where the ball bounces.
             keys: &[
                 Keyframe::vector("0", "-1.4", "0.5", "0.6"),
                 Keyframe::vector("0", "-1.4", "0.5", "0.6"),
@@ -124,10 +125,10 @@ pub(crate) static HOPS: Animation = Animation {
     ],
 };
 
-/// Draws the frame at `time` seconds.
+/// Draws the frame at `time` in seconds.
 pub(crate) fn frame(time: Real) -> Result<Display, Box<dyn Error>> {
-    // Room for the moved copies of 3 objects and 1 light. Firmware keeps both buffers
-    // from frame to frame.
+    // `animated` has room for the moved copies of 3 objects and 1 light. Firmware keeps both
+    // buffers from frame to frame.
     let mut animated = AnimatedScene::<3, 1>::new();
     let mut buffer = SceneBuffer::<3, 1, 4>::new();
     let moved = animated.frame(&SCENE, &HOPS, time)?;

@@ -1,6 +1,7 @@
-//! A picture with smooth edges beside the plain one.
+//! Draws a picture twice: without and with smooth edges.
 //!
-//! `cargo run --example antialiased` writes `antialiased.png`, 4 times as large.
+//! `cargo run --example antialiased` writes `antialiased.png`, which shows both pictures side
+//! by side, enlarged 4 times.
 
 pub(crate) mod common;
 
@@ -17,7 +18,7 @@ use whitted::{
 
 pub(crate) const SIZE: Size = Size::new(96, 80);
 
-/// A mirror ball on a checkerboard: edges, reflected edges and highlights.
+/// A mirror ball on a checkerboard. The scene has edges, reflected edges and highlights.
 pub(crate) static SCENE: Scene = Scene {
     background: Background::Gradient {
         horizon: Color::lit("0.85", "0.70", "0.52"),
@@ -28,20 +29,20 @@ pub(crate) static SCENE: Scene = Scene {
         Color::lit("1.2", "1.12", "1.05"),
     )],
     materials: &[
-        // 0: mirror.
+        // Material 0: the mirror ball.
         Material {
             ks: Color::gray(Real::lit("0.6")),
             shininess: Real::lit("150"),
             kr: Color::lit("0.82", "0.84", "0.88"),
             ..Material::BLACK
         },
-        // 1: white squares of the floor.
+        // Material 1: the white squares of the floor.
         Material {
             ka: Color::gray(Real::lit("0.12")),
             kd: Color::lit("0.75", "0.72", "0.66"),
             ..Material::BLACK
         },
-        // 2: crimson, for the other squares and the small ball.
+        // Material 2: crimson, for the other squares of the floor and the small ball.
         Material {
             ka: Color::lit("0.06", "0.01", "0.03"),
             kd: Color::lit("0.4", "0.05", "0.14"),
@@ -75,7 +76,7 @@ pub(crate) static SCENE: Scene = Scene {
     ))
 };
 
-/// Returns the plain picture and the one with smooth edges.
+/// Returns the picture with plain edges and the picture with smooth edges.
 pub(crate) fn pictures() -> Result<[Display; 2], Box<dyn Error>> {
     let mut buffer = SceneBuffer::<3, 1, 3>::new();
     let scene = buffer.prepare(&SCENE)?;
@@ -83,8 +84,9 @@ pub(crate) fn pictures() -> Result<[Display; 2], Box<dyn Error>> {
     let mut plain = Display::new(SIZE);
     Renderer::new(&scene, SIZE).draw(&mut plain)?;
 
-    // Two lines of samples, 16 bytes each: 3 KB. `SampleCount::Four` traces 4 more rays
-    // in each pixel that differs from a neighbor, and 1 ray in all others.
+    // The renderer needs memory for two lines of samples of 16 bytes each: 3 KB for a line of
+    // 96 pixels. `SampleCount::Four` traces 4 more rays in each pixel that differs from a
+    // neighbor, and only 1 ray in every other pixel.
     let mut smooth = Display::new(SIZE);
     let mut memory = [AaSample::BLACK; 2 * SIZE.width as usize];
     AntialiasedRenderer::new(&scene, SIZE, SampleCount::Four, &mut memory)?.draw(&mut smooth)?;

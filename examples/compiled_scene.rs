@@ -1,7 +1,8 @@
-//! A scene compiled on the host to bytes, which firmware decodes and draws.
+//! Compiles a scene to bytes on the host. Firmware decodes the bytes and draws the scene.
 //!
 //! `cargo run --example compiled_scene` writes `compiled_scene.png`. For scene files,
-//! `cargo sim compile` writes the bytes, and firmware takes them in by `include_bytes!`.
+//! `cargo sim compile` writes the bytes to a file, and firmware embeds the file with
+//! `include_bytes!`.
 
 pub(crate) mod common;
 
@@ -11,7 +12,7 @@ use common::Display;
 use common::scene::{Buffer, SCENE, SIZE};
 use whitted::{Renderer, SceneError};
 
-/// Runs on the host: prepares the scene and encodes it.
+/// Prepares the scene and encodes it. This part runs on the host.
 pub(crate) fn compile() -> Result<Vec<u8>, SceneError> {
     let mut buffer = Buffer::new();
     let scene = buffer.prepare(&SCENE)?;
@@ -22,9 +23,10 @@ pub(crate) fn compile() -> Result<Vec<u8>, SceneError> {
     Ok(bytes)
 }
 
-/// Runs in firmware: decodes the scene and draws it.
+/// Decodes the scene and draws it. This part runs in firmware.
 ///
-/// `decode` checks the CRC-32 and all values, so bytes from a serial port may be corrupt.
+/// `decode` checks the CRC-32 and all values, so corrupt bytes, for example from a serial port,
+/// are rejected with an error.
 pub(crate) fn draw(bytes: &[u8]) -> Result<Display, Box<dyn Error>> {
     let mut buffer = Buffer::new();
     let scene = buffer.decode(bytes)?;

@@ -1,4 +1,5 @@
-//! Two line buffers: DMA sends one while the next line is traced into the other.
+//! Uses two line buffers: DMA sends one line while the next line is traced into the other
+//! buffer.
 //!
 //! `cargo run --example dma_lines` writes `dma_lines.png`.
 
@@ -13,17 +14,17 @@ use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::prelude::*;
 use whitted::{PreparedScene, Renderer};
 
-/// A line of pixels: 320 bytes. In firmware, a `&'static mut [Rgb565; 160]`.
+/// A line of 160 pixels: 320 bytes. Firmware would use a `&'static mut [Rgb565; 160]`.
 type Line = Box<[Rgb565; SIZE.width as usize]>;
 
-/// Draws the picture with two line buffers, whose first contents do not matter.
+/// Draws the picture with two line buffers. Their initial contents do not matter.
 pub(crate) fn draw(scene: &PreparedScene<'_>, display: Display, lines: [Line; 2]) -> Display {
     let [mut first, mut free] = lines;
     let mut renderer = Renderer::new(scene, SIZE);
     renderer.render_line(0, first.as_mut_slice());
     let mut transfer = Transfer::start(display, 0, first);
     for y in 1..SIZE.height {
-        // The renderer has the free buffer, the DMA has the other.
+        // The renderer traces into the free buffer while the DMA sends the other buffer.
         renderer.render_line(y, free.as_mut_slice());
         let (display, sent) = transfer.wait();
         transfer = Transfer::start(display, y, free);
@@ -34,12 +35,12 @@ pub(crate) fn draw(scene: &PreparedScene<'_>, display: Display, lines: [Line; 2]
 
 /// A DMA transfer, simulated by a thread.
 ///
-/// It owns the display and the line buffer until it ends, as the transfers of embedded HALs
-/// do, so the compiler rejects code that writes to a line which is being sent.
+/// As in embedded HALs, a transfer owns the display and the line buffer until it ends. The
+/// compiler therefore rejects code that writes to a line while the line is being sent.
 struct Transfer(JoinHandle<(Display, Line)>);
 
 impl Transfer {
-    /// Starts to send line `y`.
+    /// Starts sending line `y`.
     fn start(mut display: Display, y: u32, line: Line) -> Self {
         Self(thread::spawn(move || {
             display.show_line(y, line.as_slice());
@@ -47,7 +48,7 @@ impl Transfer {
         }))
     }
 
-    /// Waits for the end of the transfer.
+    /// Waits until the transfer ends.
     fn wait(self) -> (Display, Line) {
         match self.0.join() {
             Ok(display_and_line) => display_and_line,
@@ -56,7 +57,7 @@ impl Transfer {
     }
 }
 
-/// Draws the picture on a black display.
+/// Draws the picture on a display that is black at first.
 pub(crate) fn picture() -> Result<Display, Box<dyn Error>> {
     let mut buffer = Buffer::new();
     let scene = buffer.prepare(&SCENE)?;

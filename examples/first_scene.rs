@@ -1,4 +1,4 @@
-//! A scene in code, drawn on a display: the least that firmware needs.
+//! The least that firmware needs: a scene written in code and drawn on a display.
 //!
 //! `cargo run --example first_scene` writes `first_scene.png`.
 
@@ -14,7 +14,7 @@ use whitted::{
     SceneBuffer, Shape, Texture, Vec3,
 };
 
-/// The scene is a `static`, so it stays in flash. `lit` turns decimals into fixed point at
+/// The scene. As a `static` it stays in flash. `lit` converts decimal numbers to fixed point at
 /// compile time. A `MaterialId` is an index into `materials`.
 pub(crate) static SCENE: Scene = Scene {
     background: Background::Gradient {
@@ -32,7 +32,7 @@ pub(crate) static SCENE: Scene = Scene {
         ),
     ],
     materials: &[
-        // Red lacquer: ambient, diffuse and specular color, and a faint reflection.
+        // Red lacquer: it has ambient, diffuse and specular color, and reflects a little.
         Material {
             ka: Color::lit("0.08", "0.01", "0.01"),
             kd: Color::lit("0.65", "0.05", "0.04"),
@@ -50,7 +50,7 @@ pub(crate) static SCENE: Scene = Scene {
             ior: ior::GLASS,
             ..Material::BLACK
         },
-        // Gold: a mirror that reflects red best and blue least.
+        // Gold: a mirror that reflects red most and blue least.
         Material {
             kd: Color::lit("0.28", "0.16", "0.03"),
             ks: Color::lit("0.7", "0.6", "0.4"),
@@ -58,7 +58,7 @@ pub(crate) static SCENE: Scene = Scene {
             kr: Color::lit("0.8", "0.52", "0.18"),
             ..Material::BLACK
         },
-        // The two colors of the floor.
+        // The materials of the floor's light and dark squares.
         Material {
             ka: Color::gray(Real::lit("0.12")),
             kd: Color::lit("0.7", "0.66", "0.58"),
@@ -109,7 +109,8 @@ pub(crate) static SCENE: Scene = Scene {
             MaterialId(0),
         ),
     ],
-    // Eye, the point it looks at, and the vertical field of view in degrees.
+    // The camera is given by its position, the point that it looks at, and the vertical field
+    // of view in degrees.
     ..Scene::new(Camera::new(
         Vec3::lit("0.6", "2.2", "8"),
         Vec3::lit("0.1", "0.95", "0"),
@@ -120,7 +121,7 @@ pub(crate) static SCENE: Scene = Scene {
 /// Draws the scene.
 pub(crate) fn picture() -> Result<Display, Box<dyn Error>> {
     let mut display = Display::new(Size::new(320, 240));
-    // Room for 5 objects, 2 lights and 5 materials.
+    // The buffer has room for 5 objects, 2 lights and 5 materials.
     let mut buffer = SceneBuffer::<5, 2, 5>::new();
     let scene = buffer.prepare(&SCENE)?;
     Renderer::new(&scene, display.size()).draw(&mut display)?;

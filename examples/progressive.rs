@@ -1,7 +1,8 @@
-//! A picture in coarse blocks first, drawn in short steps between other work.
+//! Draws a picture in coarse blocks first and then refines it. Drawing is divided into short
+//! steps, with other work between them.
 //!
-//! `cargo run --example progressive` writes `progressive.png`: the picture after the first
-//! pass, at the press of a button, and at the end.
+//! `cargo run --example progressive` writes `progressive.png`, which shows the picture after
+//! the first pass, when a button is pressed, and at the end.
 
 pub(crate) mod common;
 
@@ -15,7 +16,8 @@ use whitted::render::{DisplayColor, RenderProgress, Step};
 
 /// Draws until the picture is complete or a button is pressed.
 ///
-/// Another call with `progress` continues the picture. `progress` is 14 bytes of plain data.
+/// To continue the picture, call `draw` again with the same `progress`, which is 14 bytes of
+/// plain data.
 pub(crate) fn draw<D>(
     renderer: &mut Renderer<'_>,
     progress: &mut RenderProgress,
@@ -26,7 +28,7 @@ where
     D: DrawTarget<Color: DisplayColor>,
 {
     while !progress.is_complete() && !board.is_button_pressed() {
-        // 800 rays take about 10 ms on a Cortex-M0+ at 133 MHz.
+        // A step of 800 rays takes about 10 ms on a Cortex-M0+ at 133 MHz.
         renderer.step(progress, Step::Rays(800), display)?;
         board.feed_watchdog();
     }
@@ -52,7 +54,8 @@ impl Board {
     }
 }
 
-/// Returns the display after the first pass, when the button is pressed, and at the end.
+/// Returns copies of the display after the first pass, when the button is pressed, and at the
+/// end.
 ///
 /// Also returns how often the watchdog was fed.
 pub(crate) fn pictures() -> Result<([Display; 3], u32), Box<dyn Error>> {
@@ -66,14 +69,15 @@ pub(crate) fn pictures() -> Result<([Display; 3], u32), Box<dyn Error>> {
         steps_until_pressed: 3,
     };
 
-    // The first pass draws blocks of 16 by 16 pixels: 1/256 of the work.
+    // The first pass traces one pixel for each block of 16 by 16 pixels: 1/256 of the work.
     renderer.step(&mut progress, Step::Pass, &mut display)?;
     let first_pass = display.clone();
 
     draw(&mut renderer, &mut progress, &mut display, &mut board)?;
     let at_press = display.clone();
 
-    // Firmware now does what the button asks for. This example completes the picture.
+    // At this point, firmware would react to the button. This example just completes the
+    // picture.
     board.steps_until_pressed = u32::MAX;
     draw(&mut renderer, &mut progress, &mut display, &mut board)?;
     Ok(([first_pass, at_press, display], board.watchdog_feeds))

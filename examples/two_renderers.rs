@@ -1,7 +1,8 @@
-//! Two cores draw one picture: each traces every other line of a shared prepared scene.
+//! Two cores draw one picture. They share a prepared scene, and each core traces every other
+//! line.
 //!
-//! `cargo run --release --example two_renderers` writes `two_renderers.png` and prints the
-//! times of one thread and of two.
+//! `cargo run --release --example two_renderers` writes `two_renderers.png`. It also prints the
+//! time that one thread takes and the time that two threads take.
 
 pub(crate) mod common;
 
@@ -14,10 +15,10 @@ use common::scene::{Buffer, SCENE, SIZE};
 use embedded_graphics::pixelcolor::Rgb565;
 use whitted::{PreparedScene, Renderer};
 
-/// Traces lines `first`, `first + 2`, `first + 4` and so on, each into its slice.
+/// Traces lines `first`, `first + 2`, `first + 4` and so on, each into its slice of `lines`.
 ///
-/// Each core has a `Renderer` of its own, 0.7 KB. In firmware, each core also has its line
-/// buffer, and the cores take turns with the display.
+/// Each core has its own `Renderer`, which takes 0.7 KB. In firmware, each core also has its
+/// own line buffer, and the cores take turns in using the display.
 fn trace_every_other(scene: &PreparedScene<'_>, first: u32, lines: Vec<&mut [Rgb565]>) {
     let mut renderer = Renderer::new(scene, SIZE);
     for (y, line) in (first..).step_by(2).zip(lines) {
@@ -25,7 +26,7 @@ fn trace_every_other(scene: &PreparedScene<'_>, first: u32, lines: Vec<&mut [Rgb
     }
 }
 
-/// Draws with two threads.
+/// Draws the picture with two threads.
 pub(crate) fn draw_with_two(scene: &PreparedScene<'_>) -> Display {
     let mut display = Display::new(SIZE);
     let (mut even, mut odd) = (Vec::new(), Vec::new());
@@ -34,7 +35,8 @@ pub(crate) fn draw_with_two(scene: &PreparedScene<'_>) -> Display {
         even.push(first);
         odd.push(second);
     }
-    // Both threads borrow the prepared scene, which tracing never changes.
+    // Both threads borrow the prepared scene. They can share it because tracing never changes
+    // it.
     thread::scope(|scope| {
         scope.spawn(|| trace_every_other(scene, 0, even));
         trace_every_other(scene, 1, odd);
@@ -42,7 +44,7 @@ pub(crate) fn draw_with_two(scene: &PreparedScene<'_>) -> Display {
     display
 }
 
-/// Draws with one thread.
+/// Draws the picture with one thread.
 pub(crate) fn draw_with_one(scene: &PreparedScene<'_>) -> Display {
     let mut display = Display::new(SIZE);
     let Ok(()) = Renderer::new(scene, SIZE).draw(&mut display);

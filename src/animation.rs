@@ -1,8 +1,8 @@
 //! Keyframe animation of cameras, objects and lights.
 //!
-//! An [`Animation`] is plain data that a `static` can hold. [`AnimatedScene`] applies it to a
-//! scene. Times are in seconds. All arithmetic is `I32F32` fixed point that saturates, so a
-//! frame is the same on every target.
+//! An [`Animation`] is plain data that a `static` can hold. An [`AnimatedScene`] applies the
+//! animation to a scene. Times are in seconds. All arithmetic is `I32F32` fixed point that
+//! saturates, so every target computes the same frames.
 
 mod animated_scene;
 mod error;
@@ -15,10 +15,10 @@ pub use keyframe::{Interpolation, Keyframe};
 use crate::math::{Color, Real, Vec3};
 use crate::scene::{Camera, Light, Object, Scene};
 
-/// Greatest duration: 2^24 seconds, about half a year.
+/// Greatest duration of an animation: 2^24 seconds, about half a year.
 const MAX_DURATION: Real = Real::lit("16777216");
 
-/// Set of tracks, each of which animates one property of a scene.
+/// A set of tracks. Each track animates one property of a scene.
 ///
 /// ```
 /// use whitted::Real;
@@ -33,7 +33,7 @@ const MAX_DURATION: Real = Real::lit("16777216");
 ///             interpolation: Interpolation::Linear,
 ///             keys: &[Keyframe::angles("0", "0", "0"), Keyframe::angles("4", "360", "0")],
 ///         },
-///         // Thrown up by 2 and caught: a parabola.
+///         // Moves object 1 up by 2 and down again on a parabola, as if thrown.
 ///         Track {
 ///             target: Target::ObjectPosition(1),
 ///             interpolation: Interpolation::Smooth,
@@ -44,64 +44,66 @@ const MAX_DURATION: Real = Real::lit("16777216");
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Animation<'a> {
-    /// Duration in seconds, above 0 and at most 2^24.
+    /// Duration of the animation in seconds, above 0 and at most 2^24.
     pub duration: Real,
-    /// True if the animation repeats. Otherwise the scene stays as it is at the end.
+    /// True if the animation repeats. Otherwise the scene keeps its final state after the end.
     pub looping: bool,
-    /// The tracks.
+    /// The tracks of the animation.
     pub tracks: &'a [Track<'a>],
 }
 
-/// Animation of one property.
+/// Animation of one property of a scene.
 #[derive(Clone, Copy, Debug)]
 pub struct Track<'a> {
     /// Property that the track animates.
     pub target: Target,
-    /// Interpolation between keyframes.
+    /// Method of interpolation between the keyframes of the track.
     pub interpolation: Interpolation,
-    /// Keyframes in the order of their times. The value of the first keyframe also holds before
-    /// its time, the value of the last keyframe after its time.
+    /// Keyframes of the track, in order of time. Before its time, the value of the first
+    /// keyframe applies. After its time, the value of the last keyframe applies.
     pub keys: &'a [Keyframe],
 }
 
-/// Property that a track animates. Objects and lights are numbered from 0.
+/// Property of a scene that a track animates. Objects and lights are numbered from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Target {
-    /// Position of the camera, [`Camera::eye`].
+    /// Position of the camera: [`Camera::eye`].
     CameraEye,
-    /// Point that the camera looks at, [`Camera::look_at`].
+    /// Point that the camera looks at: [`Camera::look_at`].
     CameraLookAt,
-    /// Vertical field of view in degrees, [`Camera::fovy_deg`].
+    /// Vertical field of view of the camera in degrees: [`Camera::fovy_deg`].
     CameraFovy,
-    /// Yaw and pitch in degrees for [`Camera::orbited`], applied after the other camera tracks.
+    /// Yaw and pitch in degrees that are passed to [`Camera::orbited`]. They apply after the
+    /// other camera tracks.
     CameraOrbit,
-    /// Field `center`, `origin` or, for a plane, `point` of an object.
+    /// Position of the object with this number: its field `center` or `origin` or, for a plane,
+    /// `point`.
     ObjectPosition(u16),
-    /// Radius of a sphere, cylinder, cone or sphereflake.
+    /// Radius of the object with this number, which is a sphere, cylinder, cone or sphereflake.
     ObjectRadius(u16),
-    /// Position of a light.
+    /// Position of the light with this number.
     LightPosition(u16),
-    /// Diffuse and specular intensity of a light.
+    /// Diffuse and specular intensity of the light with this number.
     LightColor(u16),
 }
 
 impl Animation<'_> {
-    /// Returns `camera` as the camera tracks move it at `time`, in seconds.
+    /// Returns `camera` with the values that the camera tracks have at `time`, in seconds.
     ///
-    /// Where only the camera moves, pass the result to
-    /// [`PreparedScene::set_camera`](crate::PreparedScene::set_camera), which is cheaper than
-    /// preparing the scene of every frame.
+    /// If only the camera moves, pass the returned camera to
+    /// [`PreparedScene::set_camera`](crate::PreparedScene::set_camera). This is cheaper than
+    /// preparing the scene again for each frame.
     ///
     /// # Errors
-    /// The first track with invalid keyframes, or an invalid duration.
+    /// Returns an error for the first track with invalid keyframes, or for an invalid duration.
     pub fn camera(&self, mut camera: Camera, time: Real) -> Result<Camera, AnimationError> {
         self.check_keys()?;
         self.move_camera(&mut camera, self.local_time(time));
         Ok(camera)
     }
 
-    /// Writes the values of all tracks at `time` into a scene.
+    /// Writes the values that all tracks have at `time` into the parts of a scene.
     fn apply(&self, time: Real, camera: &mut Camera, objects: &mut [Object], lights: &mut [Light]) {
         let time = self.local_time(time);
         self.move_camera(camera, time);
@@ -155,7 +157,8 @@ impl Animation<'_> {
         }
     }
 
-    /// Maps a time to the animation's duration: wraps if it repeats, clamps otherwise.
+    /// Maps a time to the duration of the animation. The time wraps if the animation repeats
+    /// and is clamped if not.
     fn local_time(&self, time: Real) -> Real {
         if self.looping {
             time.checked_rem_euclid(self.duration).unwrap_or(Real::ZERO)
@@ -169,7 +172,7 @@ impl Animation<'_> {
         keyframe::value(track.keys, track.interpolation, period, time)
     }
 
-    /// Checks the duration and the times of all keyframes.
+    /// Checks the animation's duration and the times of all keyframes.
     fn check_keys(&self) -> Result<(), AnimationError> {
         if self.duration <= 0 || self.duration > MAX_DURATION {
             return Err(AnimationProblem::Duration.in_animation());
@@ -181,11 +184,12 @@ impl Animation<'_> {
         Ok(())
     }
 
-    /// Checks that the animation can be applied to `scene`. [`AnimatedScene::frame`] does so for
-    /// each frame.
+    /// Checks that the animation can be applied to `scene`. [`AnimatedScene::frame`] also calls
+    /// this method, once for each frame.
     ///
     /// # Errors
-    /// The first track that has invalid keyframes or an invalid target, or an invalid duration.
+    /// Returns an error for the first track with invalid keyframes or an invalid target, or for
+    /// an invalid duration.
     pub fn check(&self, scene: &Scene<'_>) -> Result<(), AnimationError> {
         self.check_keys()?;
         let lights = scene.lights.len();
@@ -212,7 +216,8 @@ impl Animation<'_> {
     }
 }
 
-/// Returns the problem of an item that is not among `count` items.
+/// Returns the given problem if a scene with `count` items has no item of this number, or
+/// `None` if the item exists.
 fn missing(
     number: u16,
     count: usize,

@@ -1,21 +1,21 @@
-//! Serialization of the fields of an item.
+//! Serialization of the items of a scene, field by field.
 //!
-//! An item lists its fields once, in [`Fields::visit`]. The list serves to count, write and
-//! read them, depending on the [`Archive`]. Numbers are stored as little-endian bits.
+//! An item lists its fields once, in [`Fields::visit`]. The [`Archive`] that visits the fields
+//! decides whether they are counted, written or read. Numbers are stored as little-endian bits.
 //!
-//! Functions are `#[inline(never)]` to save flash: an item has many fields, and each is read
-//! once.
+//! The functions of this file are `#[inline(never)]` to save flash: an item has many fields, and
+//! reading a field once does not need to be fast.
 
 use fixed::traits::Fixed;
 
 use crate::math::{Color, Vec3};
 
-/// Destination or source of bytes.
+/// Visitor that counts, writes or reads the bytes of a scene's fields.
 pub(crate) trait Archive {
-    /// Writes `bytes`, or replaces them by bytes that were read.
+    /// Counts or writes `bytes`, or fills `bytes` with bytes that were read.
     fn bytes<const N: usize>(&mut self, bytes: &mut [u8; N]);
 
-    /// Notes that a field needs a Cargo feature that is off.
+    /// Records that a field of the scene needs a Cargo feature that is off.
     fn miss(&mut self, feature: &'static str) {
         let _ = feature;
     }
@@ -33,7 +33,7 @@ impl Archive for Counter {
 /// An archive that writes to a slice.
 pub(crate) struct Writer<'a> {
     pub(crate) out: &'a mut [u8],
-    /// Bytes written, including those dropped because `out` was full.
+    /// Number of bytes written, including bytes that were dropped because `out` was full.
     pub(crate) written: usize,
 }
 
@@ -46,12 +46,12 @@ impl Archive for Writer<'_> {
     }
 }
 
-/// An archive that reads from a slice, and reads zeros past its end.
+/// An archive that reads from a slice. Past the end of the slice it reads zeros.
 pub(crate) struct Reader<'a> {
     pub(crate) bytes: &'a [u8],
-    /// True if a read went past the end.
+    /// True if a read went past the end of the slice.
     pub(crate) short: bool,
-    /// Cargo feature that a field needs and that is off.
+    /// Name of a Cargo feature that is off although a field needs it.
     pub(crate) missing: Option<&'static str>,
 }
 
@@ -70,9 +70,9 @@ impl Archive for Reader<'_> {
     }
 }
 
-/// An item that consists of fields.
+/// An item of a scene that can be written and read field by field.
 pub(crate) trait Fields {
-    /// Writes each field to `archive`, or replaces each field by the value read from it.
+    /// Passes each field to `archive`, which counts, writes or replaces the field.
     fn visit(&mut self, archive: &mut impl Archive);
 }
 
@@ -91,7 +91,7 @@ macro_rules! integers {
 
 integers!(u8, i8, u16, i32, u32, i64);
 
-/// Visits a fixed-point number.
+/// Passes a fixed-point number to an archive.
 #[inline(never)]
 pub(crate) fn fixed<F, const N: usize>(value: &mut F, archive: &mut impl Archive)
 where
@@ -102,7 +102,7 @@ where
     *value = F::from_le_bytes(bytes);
 }
 
-/// Visits the components of a vector: x, y, z.
+/// Passes the components of a vector to an archive: x, y, z.
 #[inline(never)]
 pub(crate) fn vector<F, const N: usize>(v: &mut Vec3<F>, archive: &mut impl Archive)
 where
@@ -113,7 +113,7 @@ where
     fixed(&mut v.z, archive);
 }
 
-/// Visits the channels of a color: red, green, blue.
+/// Passes the channels of a color to an archive: red, green, blue.
 #[inline(never)]
 pub(crate) fn color<F, const N: usize>(c: &mut Color<F>, archive: &mut impl Archive)
 where

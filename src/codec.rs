@@ -1,4 +1,5 @@
-//! Compiled scenes: prepared scenes as bytes, compact, versioned and checked.
+//! Compiled scenes: a prepared scene as bytes, in a compact format with a version and a
+//! checksum.
 //!
 //! ```text
 //! "WHTD"  version: u8  objects, lights, materials: u16
@@ -6,9 +7,9 @@
 //! CRC-32 of everything before it
 //! ```
 //!
-//! Integers are little-endian and already scaled. Derived values, such as a squared radius or
-//! a reciprocal, are not stored. Each item has one list of fields, which serves both
-//! directions; see [`Fields`].
+//! Integers are little-endian and already scaled. Values that can be derived, such as a squared
+//! radius or a reciprocal, are not stored. Each kind of item lists its fields once, and the
+//! encoder and the decoder both use this list; see `archive::Fields`.
 
 pub use crate::math::Crc32;
 pub use crate::scene::DecodeError;
@@ -41,10 +42,11 @@ impl Fields for Header {
 }
 
 impl SceneCounts {
-    /// Reads the numbers of items from the header of a compiled scene: the capacity of the
-    /// smallest [`SceneBuffer`](crate::SceneBuffer) that decodes it.
+    /// Returns the numbers of items in a compiled scene, read from its header. A
+    /// [`SceneBuffer`](crate::SceneBuffer) of this capacity is the smallest that can decode the
+    /// scene.
     ///
-    /// All are 0 if the bytes are too short for a header. Nothing else is validated here.
+    /// All numbers are 0 if the bytes are too short for a header. Nothing else is checked here.
     ///
     /// ```
     /// use whitted::scene::SceneCounts;
@@ -65,7 +67,8 @@ impl SceneCounts {
         }
     }
 
-    /// The capacity of the smallest buffer that decodes any of several compiled scenes.
+    /// Returns the capacity of the smallest buffer that can decode each of several compiled
+    /// scenes.
     pub const fn of_all(scenes: &[&[u8]]) -> Self {
         let mut counts = Self::EMPTY;
         let mut rest = scenes;
@@ -78,18 +81,18 @@ impl SceneCounts {
 }
 
 impl PreparedScene<'_> {
-    /// Number of bytes that [`encode`](Self::encode) writes.
+    /// Returns the number of bytes that [`encode`](Self::encode) writes for this scene.
     pub fn encoded_len(&self) -> usize {
         let mut counter = Counter(0);
         visit_all(self, &mut counter);
         counter.0 + CHECKSUM
     }
 
-    /// Writes the scene as bytes that [`SceneBuffer::decode`](crate::SceneBuffer::decode)
-    /// reads, and returns their number; `None` if `out` is too short.
+    /// Writes the scene as bytes that [`SceneBuffer::decode`](crate::SceneBuffer::decode) can
+    /// read. Returns the number of bytes, or `None` if `out` is too short.
     ///
-    /// All integers are little-endian and already scaled. The bytes begin with a version and
-    /// end with a CRC-32.
+    /// All integers in the bytes are little-endian and already scaled. The bytes begin with a
+    /// magic number and a version, and end with a CRC-32.
     pub fn encode(&self, out: &mut [u8]) -> Option<usize> {
         let length = self.encoded_len();
         let (body, checksum) = out.get_mut(..length)?.split_last_chunk_mut::<CHECKSUM>()?;
@@ -130,35 +133,12 @@ fn checksum_of(bytes: &[u8]) -> u32 {
 
 /// Decodes a compiled scene into `sink`.
 ///
-/// Out of line so that its locals do not stay on the stack while the caller draws.
+/// Kept out of line: otherwise its local variables would stay on the stack while the caller
+/// draws.
 #[inline(never)]
 pub(crate) fn decode(bytes: &[u8], sink: &mut impl SceneSink) -> Result<Settings, DecodeError> {
     sink.clear();
-    if !bytes.starts_with(&MAGIC) {
-        return Err(DecodeError::NotAScene);
-    }
-    let (body, checksum) = bytes
-        .split_last_chunk::<CHECKSUM>()
-        .ok_or(DecodeError::Length)?;
-    let mut reader = Reader {
-        bytes: body,
-        short: false,
-        missing: None,
-    };
-    let mut header = Header::default();
-    header.visit(&mut reader);
-    if reader.short {
-        return Err(DecodeError::Length);
-    }
-    if header.version != VERSION {
-        return Err(DecodeError::Version {
-            found: header.version,
-            expected: VERSION,
-        });
-    }
-    if checksum_of(body) != u32::from_le_bytes(*checksum) {
-        return Err(DecodeError::Checksum);
-    }
+    let (header, mut reader) = open(bytes)?;
     let mut settings = Settings::empty();
     settings.visit(&mut reader);
     check(settings.is_valid(), SceneItem::Scene)?;
@@ -192,8 +172,40 @@ pub(crate) fn decode(bytes: &[u8], sink: &mut impl SceneSink) -> Result<Settings
     Ok(settings)
 }
 
-/// Checks the ranges that tracing relies on. Bytes with a valid checksum may still have been
-/// written by someone else.
+/// Reads the header of a compiled scene and verifies its version and its checksum. Returns the
+/// header, and a reader of the bytes between the header and the checksum.
+fn open(bytes: &[u8]) -> Result<(Header, Reader<'_>), DecodeError> {
+    if !bytes.starts_with(&MAGIC) {
+        return Err(DecodeError::NotAScene);
+    }
+    let (body, checksum) = bytes
+        .split_last_chunk::<CHECKSUM>()
+        .ok_or(DecodeError::Length)?;
+    let mut reader = Reader {
+        bytes: body,
+        short: false,
+        missing: None,
+    };
+    let mut header = Header::default();
+    header.visit(&mut reader);
+    if reader.short {
+        return Err(DecodeError::Length);
+    }
+    if header.version != VERSION {
+        return Err(DecodeError::Version {
+            found: header.version,
+            expected: VERSION,
+        });
+    }
+    if checksum_of(body) != u32::from_le_bytes(*checksum) {
+        return Err(DecodeError::Checksum);
+    }
+    Ok((header, reader))
+}
+
+/// Returns an error for an item that has a value outside the ranges that tracing relies on.
+/// Such items can occur despite a valid checksum, because any program can write compiled
+/// scenes.
 fn check(is_valid: bool, item: SceneItem) -> Result<(), DecodeError> {
     if is_valid {
         Ok(())

@@ -1,7 +1,7 @@
 //! Prepared shapes, rays and bounds.
 //!
-//! Each shape has a file or a folder, which holds all that is its own: validation,
-//! preparation, bounds, intersection, occlusion, normal, and the fields of its compiled form.
+//! Each shape has its own file or folder. It contains the validation, preparation, bounds,
+//! intersection, occlusion and normal of the shape, and the fields of its compiled form.
 
 mod bounding_sphere;
 mod clip_box;

@@ -1,6 +1,7 @@
 #![no_std]
 #![forbid(unsafe_code)]
-// Code that several features share has no caller without them.
+// If one of these features is disabled, some helpers have no caller. Without this attribute, the
+// compiler would warn about them.
 #![cfg_attr(
     not(all(feature = "glass", feature = "quadrics", feature = "sphereflake")),
     allow(dead_code, unused_imports)
@@ -8,9 +9,9 @@
 //! Whitted ray tracing in fixed point, for microcontroller displays.
 //!
 //! The crate draws spheres, quadrics, planes and sphereflakes with reflections, refractions,
-//! shadows and checkerboards, line by line, into any [`DrawTarget`] of embedded-graphics. It is
-//! `no_std`, allocates nothing and does not panic. Preparing and tracing use integers only, so
-//! every target draws the same picture bit for bit.
+//! shadows and checkerboards. It draws line by line into any [`DrawTarget`] of
+//! embedded-graphics. The crate is `no_std`, allocates nothing and does not panic. Scenes are
+//! prepared and traced with integers only, so every target draws the same picture, bit for bit.
 //!
 //! # Example
 //!
@@ -53,7 +54,7 @@
 //!
 //! # Memory
 //!
-//! All memory belongs to the caller, on a 32-bit core:
+//! The caller provides all memory. On a 32-bit core, these are the sizes:
 //!
 //! | what | bytes |
 //! |---|---|
@@ -66,9 +67,9 @@
 //!
 //! # Cargo features
 //!
-//! All features are enabled by default and additive. Disabling a feature saves flash. No feature
-//! changes a pixel of a scene that does not need it; a scene that needs a disabled feature is
-//! refused with an error that names the feature.
+//! All features are additive and enabled by default. Disabling a feature saves flash. A scene
+//! that needs a disabled feature is refused with an error that names the feature. The features
+//! do not change a pixel of scenes that do not need them.
 //!
 //! | feature | enables |
 //! |---|---|

@@ -1,11 +1,12 @@
 //! Number formats, vectors, colors and fixed-point arithmetic.
 //!
-//! Files depend on each other in this order: formats and products; shifts and rounding of
-//! words; reciprocals, roots and powers; colors and vectors; angles. The folder imports
-//! nothing from the rest of the library.
+//! The files of this folder form layers, and each layer imports only layers before it: formats and
+//! products; shifts and rounding of words; reciprocals, roots and powers; colors and vectors;
+//! angles. The folder imports nothing from the rest of the library.
 //!
-//! Functions on the path of every ray are `#[inline(always)]`. A function named
-//! `..._outlined` does the work of its namesake by a call, to save flash where it runs rarely.
+//! Functions that run for every ray are `#[inline(always)]`. For some of them there is a copy that
+//! is not inlined, with `_outlined` in its name. Code that runs rarely calls the copy to save
+//! flash.
 
 mod color;
 mod crc32;

@@ -1,7 +1,7 @@
 //! Callbacks for rays, intersection tests, shadow rays and nodes of the ray tree.
 //!
-//! A renderer is generic over its [`Observer`]. The default observer `()` ignores every
-//! callback, so the compiler removes the calls.
+//! A renderer is generic over its [`Observer`]. The default observer, `()`, ignores all
+//! callbacks, and the compiler removes the calls.
 
 mod pair;
 mod stats;
@@ -15,11 +15,11 @@ use crate::math::{Color, Factor, Radiance, Real, Weight};
 /// Kind of a ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RayKind {
-    /// A camera ray: from the eye through a pixel.
+    /// A camera ray, from the eye through a pixel.
     Camera,
-    /// A ray that a surface reflects.
+    /// A ray that is reflected by a surface.
     Reflected,
-    /// A ray that a surface transmits, refracted.
+    /// A ray that is refracted and transmitted by a surface.
     Transmitted,
     /// A ray between a surface and a light.
     Shadow,
@@ -44,9 +44,9 @@ pub enum ShapeKind {
     Sphereflake,
 }
 
-/// Receives every ray and intersection test of a renderer.
+/// Receives the rays and intersection tests of a renderer.
 ///
-/// All methods do nothing by default.
+/// By default, every method does nothing.
 ///
 /// ```
 /// use embedded_graphics::prelude::*;
@@ -72,7 +72,8 @@ pub enum ShapeKind {
 /// # Ok::<(), whitted::SceneError>(())
 /// ```
 pub trait Observer {
-    /// False if [`node`](Self::node) does nothing, so that its argument need not be computed.
+    /// Set this to false if [`node`](Self::node) does nothing. The renderer then does not
+    /// compute the argument of `node`.
     const OBSERVES_NODES: bool = true;
 
     /// Called before a ray is traced.
@@ -80,60 +81,64 @@ pub trait Observer {
         let _ = kind;
     }
 
-    /// Called after the current ray was tested against an object; `met` is true if the ray hits
-    /// its surface.
+    /// Called after the current ray was tested against an object. `met` is true if the ray hits
+    /// the surface of the object.
     ///
-    /// Objects that the ray's bounding sphere test rejects are not reported, nor is a plane whose
-    /// distance is reused from the previous ray. An object that is tested in the near and in the
-    /// extended range is reported twice. A sphereflake reports a test for each sphere it visits.
+    /// If the ray misses the bounding sphere of an object, nothing is reported for the object.
+    /// Nothing is reported for a plane if its distance is reused from the previous ray. An
+    /// object is reported twice if it is tested both in the near range (coordinates within
+    /// ±3.5) and in the extended range. For a sphereflake, a test is reported for each sphere
+    /// that is visited.
     fn test(&mut self, shape: ShapeKind, met: bool) {
         let _ = (shape, met);
     }
 
     /// Called after a shadow ray to light number `light` was traced.
     ///
-    /// `transmittance` is the fraction of the light that arrives, 0 to 1 per channel, or `None`
-    /// if an opaque surface occludes the light. No shadow ray is traced to a light that could not
-    /// contribute. All shadow rays of a surface come before the [`node`](Self::node) of that
-    /// surface.
+    /// `transmittance` is the fraction of the light that arrives, 0 to 1 per channel. It is
+    /// `None` if an opaque surface occludes the light. No shadow ray is traced to a light that
+    /// could not contribute. All shadow rays of a surface are reported before the
+    /// [`node`](Self::node) of the surface.
     fn shadow(&mut self, light: u16, transmittance: Option<Color<Real>>) {
         let _ = (light, transmittance);
     }
 
     /// Called after a camera, reflected or transmitted ray has hit a surface or the background.
     ///
-    /// Nodes arrive depth first: a node, the subtree of its reflected ray, the subtree of its
-    /// transmitted ray.
+    /// The nodes of a ray tree are reported depth first: first a node, then the subtree of its
+    /// reflected ray, then the subtree of its transmitted ray.
     fn node(&mut self, node: &RayNode) {
         let _ = node;
     }
 }
 
-/// Node of the ray tree: the end of a ray.
+/// A node of the ray tree: the surface or background at the end of a ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RayNode {
     /// Kind of the ray that ends here.
     pub kind: RayKind,
-    /// Number of surfaces between this node and the eye: 0 for a camera ray.
+    /// Number of surfaces on the path between this node and the eye: 0 for a camera ray.
     pub generation: u8,
-    /// Fraction of the radiance of this node that reaches the eye, 0 to 1 per channel.
+    /// Fraction of this node's radiance that reaches the eye, 0 to 1 per channel.
     pub weight: Color<Real>,
-    /// Number of the object; `None` for the background.
+    /// Number of the object that the ray hit. `None` for the background.
     pub object: Option<u16>,
-    /// Number of the material; `None` for the background.
+    /// Number of the material at the hit. `None` for the background.
     pub material: Option<u16>,
-    /// True if the ray hit the back of the surface.
+    /// True if the ray hit the surface from behind.
     pub inside: bool,
-    /// Radiance of the surface without its reflected and transmitted rays.
+    /// Radiance of the surface itself, without the contributions of its reflected and
+    /// transmitted rays.
     pub local: Color<Radiance>,
 }
 
-/// Converts factors to numbers of the public API, exactly.
+/// Converts a color of factors to numbers of the public API. The conversion is exact.
 pub(crate) fn to_real(color: Color<Factor>) -> Color<Real> {
     color.map(Real::from_num)
 }
 
-/// Converts weights to numbers of the public API, rounded so that the greatest weight becomes 1.
+/// Converts a color of weights to numbers of the public API. The conversion rounds, so that the
+/// greatest weight becomes 1.
 pub(crate) fn weight_to_real(weight: Color<Weight>) -> Color<Real> {
     weight.map(|weight| Real::from_bits((i64::from(weight.to_bits()) + 8) >> 4 << 4))
 }

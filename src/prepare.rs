@@ -1,7 +1,8 @@
-//! From the authored scene to the prepared one: validation, then normalization.
+//! Converts an authored scene to a prepared scene: validates it, then normalizes its
+//! coordinates.
 //!
-//! Preparing is integer arithmetic only, so a scene comes out the same on every target. Checks
-//! that do not depend on the scale come first, for the whole scene.
+//! Preparing uses only integer arithmetic, so the result is the same on every target. The
+//! checks that do not depend on the scale of the scene are done first, for all items.
 
 mod camera;
 mod culling;
@@ -28,7 +29,7 @@ use crate::geometry::Shape;
 use crate::math::{Color, Real, factor, radiance};
 use crate::scene::{Background, Scene, SceneError, SceneItem};
 
-/// Validates a scene and prepares its items into `sink`.
+/// Validates a scene, prepares its items and passes them to `sink`.
 pub(crate) fn prepare(
     scene: &Scene<'_>,
     sink: &mut impl SceneSink,

@@ -2,8 +2,9 @@
 //!
 //! A [`Renderer`] generates the camera rays of each scanline, culls the objects that the scanline
 //! cannot show, traces the rays and sends the pixels to the display. [`RenderProgress`] records
-//! the progress of stepwise drawing, [`AntialiasedRenderer`] smooths edges, [`DirtyLines`] skips
-//! unchanged pixels, and [`Output`] selects dithering and encoding.
+//! which pixels have been drawn if drawing is split into steps. [`AntialiasedRenderer`] smooths
+//! edges, [`DirtyLines`] skips unchanged pixels, and [`Output`] selects the dithering and the
+//! transfer function.
 
 #[cfg(feature = "antialiasing")]
 mod antialias;

@@ -1,8 +1,9 @@
 //! Authored scenes: camera, lights, materials and objects in world units.
 //!
 //! A [`Scene`] is plain data that borrows slices, so it can be a `static` in flash. Its numbers
-//! are [`Real`] (`I32F32`), which [`Real::lit`] parses at compile time. The types of this module
-//! accept any value; [`SceneBuffer::prepare`](crate::SceneBuffer::prepare) validates them.
+//! are of type [`Real`] (`I32F32`); [`Real::lit`] parses them at compile time. The types of
+//! this module accept any value. [`SceneBuffer::prepare`](crate::SceneBuffer::prepare)
+//! validates the values.
 
 mod builder;
 mod camera;
@@ -27,9 +28,10 @@ pub use texture::{Axis, Texture};
 
 use crate::math::{Color, Real};
 
-/// Scene in world units and linear colors.
+/// A scene in world units and linear colors.
 ///
-/// [`SceneBuffer::prepare`](crate::SceneBuffer::prepare) accepts these ranges, ends included:
+/// [`SceneBuffer::prepare`](crate::SceneBuffer::prepare) accepts values in these ranges. The
+/// ends of a range are included.
 ///
 /// | value | range |
 /// |---|---|
@@ -38,7 +40,7 @@ use crate::math::{Color, Real};
 /// | channels of lights, emission, ambient light and background | 0 to 256 |
 /// | lengths of lists | 0 to 65,535 |
 ///
-/// Narrower ranges are stated at the fields that have them.
+/// Fields that have a narrower range state it in their documentation.
 ///
 /// ```
 /// use whitted::{Camera, Color, Light, Material, MaterialId, Object, Real, Scene, Vec3};
@@ -53,30 +55,33 @@ use crate::math::{Color, Real};
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Scene<'a> {
-    /// The camera.
+    /// The camera of the scene.
     pub camera: Camera,
-    /// The point lights.
+    /// The point lights of the scene.
     pub lights: &'a [Light],
-    /// The materials, which objects refer to by [`MaterialId`].
+    /// The materials of the scene. Objects refer to them by [`MaterialId`].
     pub materials: &'a [Material],
-    /// The objects.
+    /// The objects of the scene.
     pub objects: &'a [Object],
-    /// Ambient light `ia`, 0 to 256 per channel. A material reflects `ka * ia` of it.
+    /// Ambient light `ia`, 0 to 256 per channel. A surface reflects `ka * ia`, where `ka` is a
+    /// coefficient of its material.
     pub ambient: Color<Real>,
-    /// Radiance of rays that hit no object.
+    /// Background of the scene: the radiance of rays that hit no object.
     pub background: Background,
-    /// Highlight model of materials whose `shading` is `None`.
+    /// Highlight model for those materials that have `None` in their field `shading`.
     pub shading: SpecularModel,
-    /// Greatest number of reflections and refractions in a row, 0 (ray casting) to 32.
+    /// Greatest number of reflections and refractions along a path, from 0 to 32. At 0 no
+    /// secondary rays are traced.
     pub max_depth: u8,
-    /// Least weight of a secondary ray, 0 to 1. A ray is not traced if its contribution to the
-    /// pixel is below this weight in every channel.
+    /// Minimum weight of a secondary ray, 0 to 1. The weight is the fraction of the ray's
+    /// radiance that reaches the pixel. A ray is not traced if its weight is below this minimum
+    /// in every channel.
     pub min_weight: Real,
 }
 
 impl Scene<'_> {
-    /// Returns an empty scene with white ambient light, a black background, Phong highlights,
-    /// `max_depth` 5 and `min_weight` 1/255.
+    /// Returns an empty scene. It has white ambient light, a black background, Phong
+    /// highlights, a `max_depth` of 5 and a `min_weight` of 1/255.
     pub const fn new(camera: Camera) -> Self {
         Self {
             camera,
@@ -93,15 +98,16 @@ impl Scene<'_> {
     }
 }
 
-/// Radiance of rays that hit no object. Channels are 0 to 256.
+/// Radiance of rays that hit no object. The channels of its colors are 0 to 256.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Background {
-    /// One color in every direction.
+    /// The same color in every direction.
     Solid(Color<Real>),
-    /// A vertical gradient, linear in the y component of the unit direction from `horizon` at 0
-    /// to `zenith` at 1. Rays that point down get `horizon`.
+    /// A vertical gradient. The color depends linearly on y, the vertical component of a ray's
+    /// unit direction. It is `horizon` at y = 0 and `zenith` at y = 1. Rays that point down get
+    /// `horizon`.
     Gradient {
-        /// Color at the horizon and below.
+        /// Color at and below the horizon.
         horizon: Color<Real>,
         /// Color straight up.
         zenith: Color<Real>,

@@ -5,12 +5,12 @@ use crate::prepare::{Light, Material, Object, PreparedScene, SceneLists, SceneSi
 use crate::scene::{CapacityError, DecodeError, Scene, SceneError};
 use crate::{codec, prepare};
 
-/// Memory for a prepared scene, in a `static` or on the stack, with a capacity of objects,
-/// lights and materials.
+/// Memory for a prepared scene, with a fixed capacity for objects, lights and materials. The
+/// buffer may be in a `static` or on the stack.
 ///
 /// An object takes 112 bytes, 34 more for its bounds, and 12 for each light. A light takes 28
-/// bytes, a material 68. [`scene_buffer!`](crate::scene_buffer) names the type of a buffer by
-/// the counts of a scene.
+/// bytes, a material 68. The macro [`scene_buffer!`](crate::scene_buffer) returns the type of a
+/// buffer that has the counts of a scene as its capacities.
 ///
 /// ```
 /// use whitted::{Camera, Real, Scene, SceneBuffer, Vec3};
@@ -43,7 +43,7 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize> Default
 impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize>
     SceneBuffer<OBJECTS, LIGHTS, MATERIALS>
 {
-    /// An empty buffer.
+    /// Returns an empty buffer.
     pub const fn new() -> Self {
         Self {
             objects: Vec::new(),
@@ -56,21 +56,22 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize>
         }
     }
 
-    /// Validates a scene and prepares it for tracing, in integer arithmetic only: the result
-    /// is the same on every target.
+    /// Validates a scene and prepares it for tracing. Preparing uses only integer arithmetic,
+    /// so the result is the same on every target.
     ///
     /// # Errors
-    /// Names the first item that cannot be rendered, its field, and the problem.
+    /// Returns an error that names the first item that cannot be rendered, its field, and the
+    /// problem.
     pub fn prepare<'b>(&'b mut self, scene: &Scene<'b>) -> Result<PreparedScene<'b>, SceneError> {
         let settings = prepare::prepare(scene, self)?;
         Ok(self.finish(settings))
     }
 
-    /// Decodes a scene that [`PreparedScene::encode`] wrote.
+    /// Decodes a compiled scene that [`PreparedScene::encode`] wrote.
     ///
     /// # Errors
-    /// The bytes are not a valid compiled scene, or the scene exceeds the capacity. The buffer
-    /// is then empty.
+    /// Returns an error if the bytes are not a valid compiled scene, or if the scene exceeds
+    /// the capacity of the buffer. After an error, the buffer is empty.
     pub fn decode<'b>(&'b mut self, bytes: &'b [u8]) -> Result<PreparedScene<'b>, DecodeError> {
         let decoded = codec::decode(bytes, self);
         if decoded.is_err() {
@@ -122,7 +123,7 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize> SceneSin
     }
 }
 
-/// The type of a [`SceneBuffer`] with the capacity of a constant
+/// Returns the type of the [`SceneBuffer`] that has the capacities given by a constant
 /// [`SceneCounts`](crate::scene::SceneCounts).
 ///
 /// ```

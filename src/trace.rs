@@ -1,4 +1,4 @@
-//! The path of a ray: nearest hit, interaction, direct lighting, ray tree.
+//! Traces a ray in four stages: nearest hit, interaction, direct lighting, ray tree.
 
 mod background;
 mod candidates;

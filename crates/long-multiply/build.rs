@@ -1,4 +1,5 @@
-//! Sets `cfg(armv6m)` or `cfg(armv7m)` from the target name, as no stable `cfg` exists.
+//! Sets `cfg(armv6m)` or `cfg(armv7m)` from the target name, because Rust has no stable
+//! `cfg` for these instruction sets.
 
 use std::env;
 

@@ -1,6 +1,7 @@
-//! A display in memory that the examples draw on and save as a PNG file.
+//! A display in memory. The examples draw on it and save it as a PNG file.
 //!
-//! In firmware, use the driver of your display instead, which is a `DrawTarget` too.
+//! In firmware, use the driver of your display instead: drivers implement `DrawTarget`, as this
+//! display does.
 
 #![allow(dead_code, reason = "each example uses a part of this module")]
 
@@ -19,11 +20,11 @@ use embedded_graphics::primitives::Rectangle;
 /// Gap between pictures that are saved side by side, in pixels of the PNG file.
 const GAP: u32 = 8;
 
-/// A display of 16-bit pixels.
+/// A display with 16-bit pixels.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Display {
     pub(crate) size: Size,
-    /// Rows from top to bottom.
+    /// Pixels in rows from top to bottom.
     pub(crate) pixels: Vec<Rgb565>,
 }
 
@@ -34,13 +35,13 @@ impl Display {
         Self { size, pixels }
     }
 
-    /// Shows one line of pixels, as a display driver does that sends them over SPI.
+    /// Shows one line of pixels, as a driver does for a display on an SPI bus.
     pub(crate) fn show_line(&mut self, y: u32, line: &[Rgb565]) {
         let area = Rectangle::new(Point::new(0, y as i32), Size::new(self.size.width, 1));
         let Ok(()) = self.fill_contiguous(&area, line.iter().copied());
     }
 
-    /// Returns the index of a pixel, or `None` outside of the display.
+    /// Returns the index of a pixel, or `None` if the point is outside the display.
     fn index(&self, point: Point) -> Option<usize> {
         let (x, y) = (u32::try_from(point.x).ok()?, u32::try_from(point.y).ok()?);
         let is_inside = x < self.size.width && y < self.size.height;
@@ -71,9 +72,10 @@ impl DrawTarget for Display {
     }
 }
 
-/// Saves displays side by side, each pixel as a square of `scale` pixels.
+/// Saves displays side by side. Each pixel becomes a square of `scale` by `scale` pixels.
 ///
-/// The file is `name` in the current directory, unless the command line gives another path.
+/// The file is called `name` and is written to the current directory, unless the command line
+/// gives another path.
 pub(crate) fn save(name: &str, scale: u32, displays: &[Display]) -> Result<(), Box<dyn Error>> {
     let path = std::env::args().nth(1).unwrap_or_else(|| name.to_owned());
     write_png(path.as_ref(), scale, displays)?;
@@ -81,7 +83,7 @@ pub(crate) fn save(name: &str, scale: u32, displays: &[Display]) -> Result<(), B
     Ok(())
 }
 
-/// Writes a PNG file of displays side by side, which must have one size.
+/// Writes a PNG file that shows displays side by side. All displays must have the same size.
 pub(crate) fn write_png(
     path: &Path,
     scale: u32,
@@ -96,7 +98,8 @@ pub(crate) fn write_png(
     Ok(())
 }
 
-/// Returns the size and the bytes, 3 a pixel, of displays side by side on white.
+/// Places displays side by side on a white image. Returns the size of the image and its pixels,
+/// 3 bytes each.
 fn side_by_side(displays: &[Display], scale: u32) -> (Size, Vec<u8>) {
     let Size { width, height } = displays.first().map_or(Size::zero(), |first| first.size);
     let pitch = width * scale + GAP;

@@ -1,4 +1,5 @@
-//! The scene of those examples that are about drawing, not about scenes.
+//! The scene that several examples share: those that show ways of drawing and not how to
+//! describe a scene.
 
 use embedded_graphics::prelude::Size;
 use whitted::scene::{Axis, ClipBox, ior};
@@ -71,14 +72,14 @@ pub(crate) static SCENE: Scene = Scene {
             kr: Color::gray(Real::lit("0.06")),
             ..Material::BLACK
         },
-        // Dark squares of the floor.
+        // The dark squares of the floor.
         Material {
             ka: Color::lit("0.01", "0.02", "0.05"),
             kd: Color::lit("0.04", "0.09", "0.18"),
             kr: Color::gray(Real::lit("0.3")),
             ..Material::BLACK
         },
-        // Light squares of the floor.
+        // The light squares of the floor.
         Material {
             ka: Color::lit("0.11", "0.10", "0.10"),
             kd: Color::lit("0.62", "0.56", "0.50"),

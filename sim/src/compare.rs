@@ -5,22 +5,22 @@ use std::fmt;
 
 use crate::picture::Picture;
 
-/// One 8-bit step in 16-bit units: 65535 / 255.
+/// Difference of 1/255 in 16-bit samples: 65535 / 255.
 const STEP: u16 = 257;
 
 /// Difference between two pictures, computed on their samples without gamma correction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Comparison {
-    /// Peak signal-to-noise ratio in decibels, over all pixels and channels; infinite for equal
-    /// pictures.
+    /// Peak signal-to-noise ratio over all pixels and channels, in decibels. Infinite if the
+    /// pictures are equal.
     pub psnr: f64,
-    /// Share of the pixels, 0 to 1, in which no channel differs by more than 1/255.
+    /// Share of the pixels whose channels differ by at most 1/255, from 0 to 1.
     pub within: f64,
 }
 
 /// Compares two pictures of the same size.
 ///
-/// Samples are scaled to 0..255 without rounding; the PSNR is
+/// The samples are scaled to 0..255 without rounding. The peak signal-to-noise ratio (PSNR) is
 /// 10·log10(255² / mean squared error).
 pub fn compare(a: &Picture, b: &Picture) -> Result<Comparison, SizesDiffer> {
     let sizes = [(a.width, a.height), (b.width, b.height)];

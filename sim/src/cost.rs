@@ -1,9 +1,9 @@
 //! Estimates the time of a frame on a microcontroller.
 //!
-//! Every target draws the same bits, so the host can count what a frame needs: rays, intersection
-//! tests, lights. [`Work`] counts them as an observer of the renderer. `prices.rs` has the
-//! instructions for one of each on every core, fitted by `cargo xtask fit` to instruction counts
-//! from QEMU. A [`Board`] turns instructions into seconds.
+//! Every target traces the same rays and draws the same bits, so the host can count the work for a
+//! frame. [`Work`] observes the renderer and counts items such as rays, intersection tests and
+//! lights. `prices.rs` has the price of each item on each core, in instructions; `cargo xtask fit`
+//! fits the prices to instruction counts from QEMU. A [`Board`] converts instructions to seconds.
 
 mod board;
 mod prices;

@@ -1,7 +1,8 @@
 //! Compiles scenes for firmware, in build scripts.
 //!
-//! Scene files are named relative to a folder, and the folder relative to the package. A file
-//! whose name does not end in `.toml` is included as it is, as an already compiled scene.
+//! The name of a scene file is relative to the folder that the caller names, and the folder is
+//! relative to the package. A file whose name does not end in `.toml` is taken for a compiled scene
+//! and is included unchanged.
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -15,10 +16,12 @@ use crate::scene_file;
 /// static SCENE: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/scene.bin"));
 /// ```
 ///
-/// The environment variable `SCENE` names the scene; without it, `default` does.
+/// The environment variable `SCENE` names the scene file. If the variable is not set, `default`
+/// names it.
 ///
 /// # Errors
-/// The line and key of an error in the scene, or the file that cannot be read or written.
+/// Returns a message with the line and key of an error in the scene, or with the file that cannot
+/// be read or written.
 pub fn scene(folder: &str, default: &str) -> Result<(), String> {
     let name = scene_variable().unwrap_or_else(|| default.into());
     write("scene.bin", &compiled(&Path::new(folder).join(name))?)
@@ -30,14 +33,16 @@ pub fn scene(folder: &str, default: &str) -> Result<(), String> {
 /// include!(concat!(env!("OUT_DIR"), "/scenes.rs"));
 /// ```
 ///
-/// The file defines `static SCENES: [&[u8]; N]` and `const COUNTS: SceneCounts`, the largest
-/// number of items of each kind in any of the scenes.
+/// The file defines `static SCENES: [&[u8]; N]` with the compiled scenes, and `const COUNTS:
+/// SceneCounts` with the largest numbers of objects, lights and materials that any of the scenes
+/// has.
 ///
-/// The environment variable `SCENE` names the scenes, separated as in `PATH`; without it,
-/// `defaults` does.
+/// The environment variable `SCENE` names the scene files, separated like folders in `PATH`. If the
+/// variable is not set, `defaults` names them.
 ///
 /// # Errors
-/// The line and key of an error in a scene, or the file that cannot be read or written.
+/// Returns a message with the line and key of an error in a scene, or with the file that cannot be
+/// read or written.
 pub fn scenes(folder: &str, defaults: &[&str]) -> Result<(), String> {
     let files: Vec<PathBuf> = match scene_variable() {
         Some(list) => env::split_paths(&list).collect(),

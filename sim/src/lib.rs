@@ -6,11 +6,11 @@
 //!      errors with line and key <── explain <── SceneError      png16, compare <──┘
 //! ```
 //!
-//! With `default-features = false` the crate is a small library for tests and for build scripts
-//! of firmware. The feature `cli` adds the program `sim`.
+//! With `default-features = false`, this crate is a small library for tests and build scripts of
+//! firmware. The feature `cli` adds the program `sim`.
 //!
-//! Only [`compare`](mod@compare) and [`cost`] use floating point. Scene files are parsed directly
-//! to fixed point, and pictures are integers.
+//! In this library, only [`compare`](mod@compare) and [`cost`] use floating point. Numbers in scene
+//! files are parsed directly to fixed point, and the samples of pictures are integers.
 
 pub mod compare;
 pub mod cost;

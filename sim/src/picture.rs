@@ -9,6 +9,7 @@ pub struct Picture {
     pub width: u32,
     /// Height in pixels.
     pub height: u32,
-    /// `width * height` pixels, row by row from the top; full scale is 65535.
+    /// Pixels of the picture (`width * height`), row by row from the top. The largest sample is
+    /// 65535.
     pub pixels: Vec<Color<u16>>,
 }

@@ -1,4 +1,4 @@
-//! Writes PNG files as 16-bit linear RGB, and reads RGB and gray ones.
+//! Writes PNG files with 16-bit linear RGB samples, and reads RGB and gray PNG files.
 
 use std::error::Error;
 use std::fmt;
@@ -11,7 +11,7 @@ use whitted::Color;
 
 use crate::picture::Picture;
 
-/// Writes a 16-bit RGB PNG. Its gAMA chunk is 1.0, since the samples are linear.
+/// Writes a 16-bit RGB PNG. The file's gAMA chunk is 1.0, because the samples are linear.
 pub fn write(path: impl AsRef<Path>, picture: &Picture) -> Result<(), PngError> {
     let path = path.as_ref();
     let file = File::create(path).map_err(|error| PngError::new(path, error))?;
@@ -45,7 +45,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<Picture, PngError> {
 
 fn decode(file: BufReader<File>) -> Result<Picture, png::DecodingError> {
     let mut decoder = png::Decoder::new(file);
-    // Expands palettes to RGB, and fewer than 8 bits to 8.
+    // Expands palettes to RGB, and samples of fewer than 8 bits to 8 bits.
     decoder.set_transformations(Transformations::EXPAND);
     let mut reader = decoder.read_info()?;
     let size = reader.output_buffer_size();

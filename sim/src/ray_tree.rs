@@ -1,6 +1,7 @@
 //! Traces the tree of rays behind one pixel and prints it (Whitted 1980).
 //!
-//! Each line is a ray: C camera, R reflected, T transmitted, S shadow.
+//! Each line of the output is a ray. The letter is the kind of the ray: C for camera, R for
+//! reflected, T for transmitted, S for shadow.
 //!
 //! ```text
 //! C object 1: weight 1.0000, local 0.0120
@@ -18,15 +19,15 @@ use whitted::{Color, PreparedScene, Radiance, Real, Renderer};
 /// All rays that contribute to a pixel's color.
 #[derive(Clone, Debug)]
 pub struct RayTree {
-    /// Nodes in depth-first order, parents before children.
+    /// Nodes of the tree in depth-first order, parents before children.
     pub nodes: Vec<TreeNode>,
-    /// Color of the pixel, linear.
+    /// Linear color of the pixel.
     pub color: Color<Radiance>,
     /// Numbers of rays by kind.
     pub stats: Stats,
 }
 
-/// End point of a ray, with the shadow rays that were traced there.
+/// A node of the ray tree: the end point of a ray, with the shadow rays that start there.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TreeNode {
     /// Object, weight and local color of the node.
@@ -63,7 +64,8 @@ pub fn trace(scene: &PreparedScene<'_>, size: Size, [x, y]: [u32; 2]) -> Option<
 #[derive(Clone, Debug, Default)]
 struct Collector {
     nodes: Vec<TreeNode>,
-    /// Shadow rays of the node that is reported next.
+    /// Shadow rays seen since the last node. They belong to the node that the renderer reports
+    /// next.
     shadows: Vec<ShadowRay>,
     stats: Stats,
 }

@@ -12,7 +12,8 @@ pub fn linear(scene: &PreparedScene<'_>, size: Size) -> Picture {
     trace(&mut Renderer::new(scene, size), |_| {})
 }
 
-/// Renders all lines with a renderer. Calls `line_done` with the number of each finished line.
+/// Renders all lines of a picture with a renderer, and calls `line_done` with the number of each
+/// finished line.
 pub fn trace<O: Observer>(
     renderer: &mut Renderer<'_, O>,
     mut line_done: impl FnMut(u32),
@@ -23,11 +24,13 @@ pub fn trace<O: Observer>(
     })
 }
 
-/// Assembles a picture from lines; `render` fills the line of the given number.
+/// Assembles a picture from lines. Calls `render` with the number and the pixels of each line,
+/// which `render` fills.
 pub fn lines(size: Size, mut render: impl FnMut(u32, &mut [Color<u16>])) -> Picture {
     let Size { width, height } = size;
     let mut pixels = vec![Color::<u16>::default(); width as usize * height as usize];
-    // `chunks_exact_mut` panics on a size of 0; a picture without columns has no pixels.
+    // `chunks_exact_mut` panics on a size of 0, so a width of 0 becomes 1. Such a picture has no
+    // pixels, so the loop ends at once.
     for (y, line) in (0..height).zip(pixels.chunks_exact_mut(width.max(1) as usize)) {
         render(y, line);
     }

@@ -1,11 +1,11 @@
 //! Reads scene files (TOML) into a [`whitted::Scene`].
 //!
-//! The reader checks keys, types and names. Values are checked when the scene is prepared;
-//! [`SceneFile::explain`] finds the line and key of a value that the library rejects. The
-//! format is documented in `docs/scenes.md`.
+//! The reader checks keys, types and names. The library checks values when it prepares the scene;
+//! [`SceneFile::explain`] finds the line and key of a value that the library rejects. The format of
+//! scene files is documented in `docs/scenes.md`.
 //!
-//! The reader walks a `DeTable`, which keeps the position of each value. Tagged enums of serde
-//! would lose it, and with it the line numbers of errors.
+//! The reader does not use serde, because serde's tagged enums lose the positions of values, and
+//! errors would have no line numbers. A `DeTable` keeps the position of each value.
 
 mod animation;
 mod error;
@@ -70,9 +70,9 @@ pub fn encode(scene: &PreparedScene<'_>) -> Vec<u8> {
     bytes
 }
 
-/// Returns the keys that the reader accepts, by table.
+/// Returns the tables of a scene file, each with the keys that the reader accepts.
 ///
-/// A type of object accepts its own keys and those of the table "an object".
+/// An object accepts the keys of its type and those of the table "an object".
 pub fn tables() -> Vec<TableSchema> {
     use schema::{
         ANIMATION, BACKGROUND, BOUNDS, CAMERA, CHECKER, LIGHT, MATERIAL, OBJECT, SCENE, TRACK,

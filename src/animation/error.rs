@@ -1,27 +1,29 @@
 use core::fmt;
 
-/// Reason why an animation cannot be applied: the track and its problem.
+/// Reason why an animation cannot be applied to a scene: the track and its problem.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct AnimationError {
-    /// Number of the track, from 0; `None` for the animation as a whole.
+    /// Number of the track, counted from 0. `None` if the animation as a whole has the problem.
     pub track: Option<u16>,
     /// Problem of the track or the animation.
     pub problem: AnimationProblem,
 }
 
-/// Problem of an animation. Keyframes are numbered from 0.
+/// Problem of an animation. Numbers of keyframes are counted from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum AnimationProblem {
-    /// The duration is not above 0, or exceeds 2^24 seconds.
+    /// The duration of the animation is not above 0, or exceeds 2^24 seconds.
     Duration,
     /// The track has no keyframe.
     NoKeys,
-    /// The keyframe is earlier than its predecessor.
+    /// The keyframe with this number is earlier than the keyframe before it.
     Unsorted(u16),
-    /// The keyframe is the third that has its time.
+    /// The keyframe with this number has the same time as the two keyframes before it. Only two
+    /// keyframes may share a time.
     Crowded(u16),
-    /// The time of the keyframe is negative or exceeds the duration.
+    /// The time of the keyframe with this number is negative or exceeds the duration of the
+    /// animation.
     OutsideDuration(u16),
     /// The scene has no object with this number.
     NoSuchObject(u16),

@@ -1,22 +1,25 @@
-//! Keyframes and the interpolation between them, in `I32F32` with saturation.
+//! Keyframes and the interpolation between them. The arithmetic is `I32F32` and saturates.
 
 use super::AnimationProblem;
 use crate::math::{Real, Vec3};
 
-/// Value of a track at a time.
+/// Value of an animated property at a given time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Keyframe {
-    /// Time in seconds, from 0 to the animation's duration and not before the previous keyframe.
+    /// Time in seconds. The time is from 0 to the animation's duration, and not before the time
+    /// of the previous keyframe.
     ///
-    /// Two keyframes may share a time. If their values differ, the value jumps. If their values
-    /// are equal, a smooth curve gets a corner, like the path of a bouncing ball.
+    /// Two keyframes may share a time. If their values differ, the property jumps from the
+    /// first value to the second. If their values are equal, a smooth curve gets a corner
+    /// there, like the path of a ball that bounces.
     pub time: Real,
-    /// Point or color; or yaw and pitch in x and y; or a number in x.
+    /// Value of the property at this time. A point or a color uses x, y and z. An orbit has its
+    /// yaw in x and its pitch in y. A plain number is in x.
     pub value: Vec3<Real>,
 }
 
 impl Keyframe {
-    /// Returns a keyframe for a point or a color, from decimal literals.
+    /// Returns a keyframe for a point or a color. All arguments are decimal literals.
     pub const fn vector(time: &str, x: &str, y: &str, z: &str) -> Self {
         Self {
             time: Real::lit(time),
@@ -24,34 +27,38 @@ impl Keyframe {
         }
     }
 
-    /// Returns a keyframe for an orbit with angles in degrees, from decimal literals.
+    /// Returns a keyframe for an orbit, with angles in degrees. All arguments are decimal
+    /// literals.
     pub const fn angles(time: &str, yaw: &str, pitch: &str) -> Self {
         Self::vector(time, yaw, pitch, "0")
     }
 
-    /// Returns a keyframe for a number, from decimal literals.
+    /// Returns a keyframe for a plain number. Both arguments are decimal literals.
     pub const fn number(time: &str, number: &str) -> Self {
         Self::vector(time, number, "0", "0")
     }
 }
 
-/// Interpolation between keyframes.
+/// Method of interpolation between keyframes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Interpolation {
-    /// Linear interpolation. The speed jumps at keyframes.
+    /// Linear interpolation. The speed changes abruptly at keyframes.
     #[default]
     Linear,
     /// Cubic spline through the keyframes with continuous speed (Catmull and Rom 1974).
     ///
-    /// The slope at a keyframe is that of the parabola through the keyframe and its neighbors
-    /// (Overhauser 1968), so times need not be evenly spaced. The first and last segments are
-    /// parabolas, so three keyframes describe a throw. In a repeating animation whose first and
-    /// last keyframes have equal values at times 0 and `duration`, the curve is also smooth where
-    /// it repeats.
+    /// The slope at a keyframe is the slope of a parabola through this keyframe and its two
+    /// neighbors (Overhauser 1968). The keyframes therefore need not be evenly spaced in time.
+    /// The first and last segments of the spline are parabolas, so three keyframes describe the
+    /// path of a thrown object.
+    ///
+    /// In a repeating animation, the curve is also smooth where the animation starts over,
+    /// provided that the first keyframe is at time 0, the last is at `duration`, and both have
+    /// equal values.
     Smooth,
 }
 
-/// Checks that the times of keyframes are within the duration and in order.
+/// Checks that the times of keyframes are in order and within the duration of the animation.
 pub(super) fn check(keys: &[Keyframe], duration: Real) -> Result<(), AnimationProblem> {
     if keys.is_empty() {
         return Err(AnimationProblem::NoKeys);
@@ -74,15 +81,15 @@ pub(super) fn check(keys: &[Keyframe], duration: Real) -> Result<(), AnimationPr
     Ok(())
 }
 
-/// Returns the interpolated value at `time`, or zero without keyframes. `period` is the duration
-/// of a repeating animation.
+/// Returns the interpolated value at `time`, or zero if there are no keyframes. `period` is the
+/// duration of the animation if it repeats, and `None` if not.
 pub(super) fn value(
     keys: &[Keyframe],
     interpolation: Interpolation,
     period: Option<Real>,
     time: Real,
 ) -> Vec3<Real> {
-    // If two keyframes share this time, the second one applies.
+    // If two keyframes have exactly this time, the value of the second one applies.
     let next = keys.partition_point(|key| key.time <= time);
     let from = next.checked_sub(1).and_then(|last| keys.get(last));
     match (from, keys.get(next)) {
@@ -100,7 +107,7 @@ pub(super) fn value(
     }
 }
 
-/// Interval between two consecutive keyframes of different times.
+/// The interval between two consecutive keyframes that have different times.
 struct Segment<'k> {
     from: &'k Keyframe,
     to: &'k Keyframe,
@@ -118,8 +125,9 @@ impl<'k> Segment<'k> {
         }
     }
 
-    /// Returns the change of the spline from the start of the segment to the fraction `part`, given
-    /// the keyframes before and after the segment.
+    /// Returns the value of the spline within this segment, minus its value at the start.
+    /// `part` is the fraction of the segment's time that has passed. `before` and `after` are
+    /// the keyframes next to the segment.
     fn smooth(&self, [before, after]: [Option<Keyframe>; 2], part: Real) -> Vec3<Real> {
         let first = before.and_then(|before| self.slope(&Segment::new(&before, self.from)));
         let last = after.and_then(|after| self.slope(&Segment::new(self.to, &after)));
@@ -135,8 +143,10 @@ impl<'k> Segment<'k> {
         })
     }
 
-    /// Returns the slope of the parabola through this segment and a neighbor at their common
-    /// keyframe, as the change over this segment's time; `None` if two keyframes share that time.
+    /// Returns the slope of the spline at the keyframe that this segment shares with its
+    /// neighbor. The slope is that of the parabola through the keyframes of both segments,
+    /// expressed as the change over the time of this segment. Returns `None` if the neighbor's
+    /// keyframes share one time.
     fn slope(&self, neighbor: &Segment<'_>) -> Option<Vec3<Real>> {
         if neighbor.span == 0 {
             return None;
@@ -150,7 +160,8 @@ impl<'k> Segment<'k> {
         }))
     }
 
-    /// Returns the slope at the other end of the segment for a parabola with `slope` at one end.
+    /// Returns the slope of a parabola at one end of the segment, if `slope` is its slope at
+    /// the other end.
     fn opposite(&self, slope: Vec3<Real>) -> Vec3<Real> {
         self.change.zip(slope, |change, slope| {
             change.saturating_add(change).saturating_sub(slope)
@@ -158,7 +169,7 @@ impl<'k> Segment<'k> {
     }
 }
 
-/// Returns the keyframes before and after the segment that ends at keyframe `next`.
+/// Returns the keyframe before and the keyframe after the segment that ends at keyframe `next`.
 fn neighbors(keys: &[Keyframe], next: usize, period: Option<Real>) -> [Option<Keyframe>; 2] {
     let wrapped = period.and_then(|period| wrapped_ends(keys, period));
     let [last, first] = wrapped.unwrap_or([None, None]);
@@ -167,8 +178,10 @@ fn neighbors(keys: &[Keyframe], next: usize, period: Option<Real>) -> [Option<Ke
     [before.copied().or(last), after.copied().or(first)]
 }
 
-/// Returns the last-but-one keyframe moved to before the first, and the second keyframe moved to
-/// after the last; `None` unless the track ends as it begins, at times 0 and `period`.
+/// Returns the keyframes that continue a repeating track beyond its ends. The last keyframe but
+/// one moves to before the first keyframe, and the second keyframe moves to after the last.
+/// Returns `None` unless the track begins at time 0, ends at `period`, and has equal values
+/// there.
 fn wrapped_ends(keys: &[Keyframe], period: Real) -> Option<[Option<Keyframe>; 2]> {
     let (first, last) = (keys.first()?, keys.last()?);
     if first.value != last.value || first.time != 0 || last.time != period {
@@ -183,10 +196,11 @@ fn wrapped_ends(keys: &[Keyframe], period: Real) -> Option<[Option<Keyframe>; 2]
     Some([before, after])
 }
 
-/// Returns the change of a cubic with the total change `change` after the fraction `part`, given
-/// its slopes at both ends. Exact at both ends.
+/// Returns how far a cubic curve has risen after the fraction `part` of its interval. The curve
+/// rises by `change` in total and has the slopes `first` and `last` at its ends. The result is
+/// exact at both ends.
 fn hermite(change: Real, first: Real, last: Real, part: Real) -> Real {
-    // Both differences are zero on a straight line.
+    // On a straight line, both slopes equal `change`, and both differences are zero.
     let (first_bend, last_bend) = (change.saturating_sub(first), change.saturating_sub(last));
     let square = first_bend
         .saturating_add(first_bend)
@@ -197,7 +211,8 @@ fn hermite(change: Real, first: Real, last: Real, part: Real) -> Real {
     bent.saturating_mul(part)
 }
 
-/// Returns `dividend / divisor`, rounded toward zero and saturated; 0 if `divisor` is 0.
+/// Returns `dividend / divisor`, rounded toward zero and saturated. Returns 0 if `divisor` is
+/// 0.
 fn ratio(dividend: Real, divisor: Real) -> Real {
     let quotient = (i128::from(dividend.to_bits()) << 32).checked_div(divisor.to_bits().into());
     Real::from_bits(quotient.unwrap_or(0).min(i64::MAX.into()) as i64)

@@ -1,6 +1,6 @@
 use crate::math::{Length, Square, Vec3};
 
-/// A sphere around a bounded shape.
+/// A sphere that encloses a bounded shape.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct BoundingSphere {
     pub(crate) center: Vec3<Length>,
@@ -8,7 +8,8 @@ pub(crate) struct BoundingSphere {
 }
 
 impl BoundingSphere {
-    /// Returns true if the spheres, enlarged by more than all roundings, do not touch.
+    /// Returns true if the gap between two spheres exceeds 0.00001, which is more than all
+    /// rounding errors.
     pub(crate) fn is_disjoint(&self, other: &Self) -> bool {
         const MARGIN: Length = Length::lit("0.00001");
         let reach = self.radius + other.radius + MARGIN;

@@ -10,11 +10,12 @@ pub(crate) struct ClipBox {
     pub(crate) high: Vec3<Length>,
 }
 
-/// Hit points are rounded, so a box is widened by one step to leave no gap between adjacent
-/// planes.
+/// Each side of a clip box is moved outward by this margin, one unit of 2^-28. Hit points are
+/// rounded, so adjacent planes would show gaps without the margin.
 const EDGE: i32 = 1;
 
-/// Coordinates below this are near for sure.
+/// Coordinates with a magnitude below this limit stay in the near range (within ±3.5) when they
+/// are rounded.
 const SURELY_NEAR: i32 = NEAR - 16;
 
 impl ClipBox {
@@ -33,8 +34,11 @@ impl ClipBox {
         }
     }
 
-    /// Returns true if the box contains near coordinates. Coordinates that wrapped around are
-    /// outside.
+    /// Returns true if the box contains a point in the near range (each coordinate within
+    /// ±3.5).
+    ///
+    /// Coordinates that overflowed have wrapped around to values outside of the near range, so
+    /// a box with bounds in the near range rejects them.
     #[inline(always)]
     pub(crate) fn contains_near(&self, p: Vec3<Length>) -> bool {
         let is_within = |c: Length, low: Length, high: Length| {
@@ -48,7 +52,6 @@ impl ClipBox {
     }
 
     #[cold]
-    #[inline(never)]
     fn contains_extended(&self, point: Point) -> bool {
         let is_within = |c, low, high| is_within_extended(c, point.shift, low, high);
         let (p, Self { low, high }) = (point.coordinates, self);
@@ -57,8 +60,9 @@ impl ClipBox {
             && is_within(p.z, low.z, high.z)
     }
 
-    /// Returns true if all points inside the box of a plane are near. Exact for bounded
-    /// planes and floors; may return false for others.
+    /// Returns true if the part of a plane inside the box lies in the near range (each
+    /// coordinate within ±3.5). The result is exact for bounded planes and floors. For other
+    /// planes it may be false although the part is in the near range.
     pub(crate) fn is_near(&self, normal: Vec3<Unit>, offset: i64) -> bool {
         let near = self.low.zip(self.high, are_both_near);
         let n = normal.map(Unit::to_bits);
@@ -69,15 +73,14 @@ impl ClipBox {
     }
 }
 
-/// Returns true if a coordinate in steps of `2^shift` is between two ends.
-#[inline(never)]
+/// Returns true if a coordinate lies between two ends. The unit of the coordinate is
+/// `2^(shift - 28)`. An end at [`Length::MIN`] or [`Length::MAX`] is no bound.
 fn is_within_extended(c: Length, shift: u8, low: Length, high: Length) -> bool {
     let (c, edge) = (i64::from(c.to_bits()) << shift, i64::from(EDGE));
     (low == Length::MIN || c + edge >= i64::from(low.to_bits()))
         && (high == Length::MAX || c - edge <= i64::from(high.to_bits()))
 }
 
-#[inline(never)]
 fn are_both_near(low: Length, high: Length) -> bool {
     let is_near = |end: Length| end.to_bits().unsigned_abs() < SURELY_NEAR as u32;
     is_near(low) && is_near(high)
@@ -107,7 +110,7 @@ mod tests {
         for (z, is_within) in [(6, false), (7, true), (NEAR, true)] {
             assert_eq!(contains(0, 0, z, 0), is_within, "z {z}");
         }
-        // In steps of 4.
+        // With a shift of 2, coordinates count in multiples of 4.
         for (x, is_within) in [(-26, false), (-25, true), (12, true), (13, false)] {
             assert_eq!(contains(x, -1, 2, 2), is_within, "4 * {x}");
         }

@@ -2,27 +2,30 @@ use super::bounding_sphere::BoundingSphere;
 use super::low_precision::dot;
 use crate::math::{Length, Square, Vec3, high, square_root};
 
-/// The bounding sphere of an object, or of a group of objects, in 16-bit precision: 16 bytes.
+/// The bounding sphere of an object or of a group of objects, stored in 16 bytes with a 16-bit
+/// center.
 ///
-/// Most rays miss most objects. A test by 32-bit products rejects most of these rays; the
-/// rest get the exact test.
+/// Most rays miss most objects. A test with 32-bit products rejects most of these rays. Only
+/// the remaining rays get the exact test.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct CullSphere {
-    /// Q12.
+    /// Center, rounded to Q12.
     center: Vec3<i16>,
-    /// Index of the object; `u16::MAX` for a group.
+    /// Index of the object, or `u16::MAX` for a group.
     pub(crate) object: u16,
     /// Radius around the rounded center.
     radius: Length,
-    /// Square of the radius: Q24, rounded up by more than the high words leave out.
+    /// Square of the radius in Q24. It is rounded up to cover the low words that the test
+    /// leaves out.
     radius_squared: i32,
 }
 
 impl CullSphere {
-    /// Returns the sphere of one object.
+    /// Returns the cull sphere of one object.
     pub(crate) fn new(bound: &BoundingSphere, object: u16) -> Self {
-        /// More than a difference changes if one point is rounded to Q12 and the other is
-        /// rounded down to Q12: `sqrt(3) * 1.5 * 2^-12`.
+        /// Bound of the rounding error. The center is rounded to Q12 and the origin of a ray is
+        /// rounded down to Q12, so the vector between them changes by less than
+        /// `1.5 * sqrt(3) * 2^-12`.
         const ROUNDING: Length = Length::lit("0.00065");
         let center = bound
             .center
@@ -39,7 +42,8 @@ impl CullSphere {
         }
     }
 
-    /// Returns a sphere around a group of spheres, centered at the mean of their centers.
+    /// Returns a sphere that encloses a group of spheres. Its center is the mean of their
+    /// centers.
     pub(crate) fn around(group: &[Self]) -> Self {
         let mut sum = Vec3::new(0, 0, 0);
         for member in group {
@@ -50,7 +54,7 @@ impl CullSphere {
         let middle = Self::with_center(center, Length::ZERO, u16::MAX);
         let mut radius = Length::ZERO;
         for member in group {
-            // Q24 -> Q56 -> Q28
+            // The square is shifted from Q24 to Q56, so its root has Q28.
             let square = middle.distance_squared(member) as u64;
             let distance = Length::from_bits(square_root(square << 32) as i32);
             radius = radius.max(distance + member.radius);
@@ -58,7 +62,8 @@ impl CullSphere {
         Self::with_center(center, radius + Length::DELTA, u16::MAX)
     }
 
-    /// Converts back to full precision: slightly larger than the original bounding sphere.
+    /// Converts the sphere back to full precision. The result is slightly larger than the
+    /// original bounding sphere.
     pub(crate) fn bounding_sphere(&self) -> BoundingSphere {
         BoundingSphere {
             center: self.center.map(|c| Length::from_bits(i32::from(c) << 16)),
@@ -66,7 +71,7 @@ impl CullSphere {
         }
     }
 
-    /// Square of the distance between the centers: Q24.
+    /// Returns the squared distance between the centers of two spheres, in Q24.
     pub(crate) fn distance_squared(&self, other: &Self) -> i32 {
         let way = self
             .center
@@ -74,18 +79,20 @@ impl CullSphere {
         dot(way, way)
     }
 
-    /// Returns true if a ray from a near origin, Q12, in a direction, Q16, may hit the sphere.
+    /// Returns true if a ray may hit the sphere. The origin has Q12 coordinates and must be in
+    /// the near range (each coordinate within ±3.5). The direction is a unit vector in Q16.
     #[inline(always)]
     pub(crate) fn may_hit(&self, origin: Vec3<i32>, direction: Vec3<i32>) -> bool {
-        // Below 8 in length.
+        // The vector to the center is shorter than 8, so its square in Q24 fits 32 bits.
         let to_center = self.center.zip(origin, |c, o| i32::from(c) - o);
         let square = dot(to_center, to_center);
         let along = dot(to_center, direction);
         if along <= 0 {
             return square <= self.radius_squared;
         }
-        // Q28, whose square is Q56 -> Q24. The rounding of the direction changes the square
-        // by less than 2^-14 of the squared distance.
+        // `along` has Q28; its square has Q56 and is shifted to Q24. Rounding the direction
+        // changes the result by less than 2^-14 of the squared distance, which is subtracted as
+        // a margin.
         square - (square >> 14) - high(along.square()) <= self.radius_squared
     }
 }

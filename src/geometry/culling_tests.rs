@@ -1,4 +1,4 @@
-//! Tests of the low-precision culling tests against double precision.
+//! Checks the 16-bit culling tests against double precision.
 
 #![cfg(test)]
 
@@ -22,8 +22,8 @@ fn exact(v: Vec3<Length>) -> [f64; 3] {
     [v.x, v.y, v.z].map(|c| c.to_num())
 }
 
-/// Distance of a line from the center of a bounding sphere, and the distance along the line
-/// to its nearest point.
+/// Returns two distances: from a line to the center of a bounding sphere, and along the line
+/// from `origin` to the point nearest to that center.
 fn passes(bound: &BoundingSphere, origin: Vec3<Length>, direction: Vec3<Unit>) -> [f64; 2] {
     let (to, d) = (exact(bound.center - origin), direction);
     let d = [d.x, d.y, d.z].map(|c| c.to_num::<f64>());
@@ -32,7 +32,8 @@ fn passes(bound: &BoundingSphere, origin: Vec3<Length>, direction: Vec3<Unit>) -
     [off.sum::<f64>().sqrt(), along]
 }
 
-/// Uses rays that graze a bounding sphere from inside or outside, from near and far.
+/// Tests rays that graze a bounding sphere. They start inside or outside of the sphere, near it
+/// or far away.
 #[test]
 fn culling_keeps_rays_that_hit_the_bounding_sphere() {
     let random = &mut Rng::with_seed(1);
@@ -49,7 +50,7 @@ fn culling_keeps_rays_that_hit_the_bounding_sphere() {
         if random.bool() {
             origin = bound.center + point(random, 3.0 * radius);
         }
-        // Aim near the center, or just inside the rim.
+        // Aims the ray near the center of the sphere or just inside its rim.
         let mut side = point(random, radius * 1.5);
         if random.bool() {
             let [x, y, z] = exact(bound.center - origin);
@@ -102,7 +103,7 @@ fn culling_keeps_rays_that_hit_a_member_of_a_group() {
         });
         let group = CullSphere::around(&bounds.map(|bound| CullSphere::new(&bound, 0)));
         let origin = point(random, 3.5);
-        // Aim near the middle, or just inside the far rim of a member.
+        // Aims the ray near the middle of the group or just inside the far rim of a member.
         let mut towards = middle + point(random, 0.5 * spread);
         if random.bool() {
             let [one, other] = bounds.map(|bound| bound.center);

@@ -6,15 +6,16 @@ use crate::math::{
     Length, Square, Vec3, inverse_length_outlined, normalize, quotient, square_root,
 };
 
-/// The cone that the bounding sphere of an object fills as seen from a light: 12 bytes.
+/// The cone of directions in which a light sees the bounding sphere of an object, stored in 12
+/// bytes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LightCone {
-    /// Unit vector from the center of the bounding sphere to the light: Q14.
+    /// Unit vector from the center of the bounding sphere to the light, in Q14.
     axis: Vec3<i16>,
     /// Index of the object.
     pub(crate) object: u16,
-    /// Lower bound of the cosine between `axis` and the direction to the light of a ray that
-    /// may hit the object: Q30.
+    /// Lower bound of a cosine, in Q30. A shadow ray can hit the object only if the cosine
+    /// between `axis` and the direction from the lit point to the light is at least this value.
     min_cosine: i32,
 }
 
@@ -26,10 +27,12 @@ impl LightCone {
         min_cosine: 0,
     };
 
-    /// Returns the cone of an object's bounding sphere from a near point: full if the point
-    /// is inside the sphere.
+    /// Returns the cone in which an object's bounding sphere is seen from `point`. The point
+    /// must be in the near range (each coordinate within ±3.5). If the point is inside the
+    /// sphere, the cone contains every direction.
     pub(crate) fn new(bound: &BoundingSphere, point: Vec3<Length>, object: u16) -> Self {
-        /// More than the rounding of the two directions changes their cosine: 12.6 * 2^-16.
+        /// Error margin: rounding the two directions changes their cosine by less than 12.6 *
+        /// 2^-16.
         const MARGIN: i32 = 13 << 14;
         let mut cone = Self {
             object,
@@ -39,11 +42,11 @@ impl LightCone {
         let square = to_center.squared();
         let tangent_squared = square - bound.radius.square();
         if tangent_squared > 0 {
-            // Q56 -> Q28
+            // The square has Q56, so its root has Q28.
             let root = |square: I8F56| u64::from(square_root(square.to_bits() as u64));
             let cosine = quotient(root(tangent_squared).max(1), root(square)).to_bits();
             cone.min_cosine = cosine as i32 - MARGIN;
-            // Q30 -> Q14, rounded
+            // The axis is rounded from Q30 to Q14.
             let inverse = inverse_length_outlined(square.to_bits() as u64);
             let axis = -normalize(to_center.map(Length::to_bits), inverse);
             cone.axis = axis.map(|c| ((c.to_bits() + (1 << 15)) >> 16) as i16);
@@ -51,8 +54,8 @@ impl LightCone {
         cone
     }
 
-    /// Returns true if a ray whose direction to the light is `to_light`, Q16, may hit the
-    /// object.
+    /// Returns true if a shadow ray may hit the object. `to_light` is the unit vector from the
+    /// lit point to the light, in Q16.
     #[inline(always)]
     pub(crate) fn may_contain(&self, to_light: Vec3<i32>) -> bool {
         dot(self.axis.map(i32::from), to_light) >= self.min_cosine

@@ -1,15 +1,16 @@
-//! Ranges of authored numbers, and the errors of numbers outside of them.
+//! Limits of authored numbers, and checks that return an error for a number beyond its limits.
 
 use super::normalization::Normalization;
 use crate::math::{Real, Vec3};
 use crate::scene::{SceneError, SceneItem, SceneProblem};
 
-/// Largest coordinate: sums and differences of coordinates stay within [`Real`].
+/// Largest magnitude of an authored coordinate. Sums and differences of such coordinates fit a
+/// [`Real`].
 pub(crate) const FARTHEST: Real = Real::lit("16777216");
-/// Smallest size, in world units.
+/// Smallest authored size, in world units.
 pub(crate) const SMALLEST: Real = Real::lit("0.000001");
 
-/// Returns an error about a field of an item.
+/// Returns an error that reports a problem with a field of a scene item.
 pub(crate) fn error<T>(
     item: SceneItem,
     field: &'static str,
@@ -22,7 +23,7 @@ pub(crate) fn error<T>(
     })
 }
 
-/// Checks that a number is within a range that includes both ends.
+/// Checks that a number is at least `least` and at most `most`.
 pub(crate) fn range(
     item: SceneItem,
     field: &'static str,
@@ -52,7 +53,7 @@ pub(crate) fn size(item: SceneItem, field: &'static str, size: Real) -> Result<(
     range(item, field, size, [SMALLEST, FARTHEST])
 }
 
-/// Checks that an interval runs from a lower to a higher coordinate.
+/// Checks that the first coordinate of an interval is below the second.
 pub(crate) fn interval(
     item: SceneItem,
     field: &'static str,
@@ -67,8 +68,8 @@ pub(crate) fn interval(
     }
 }
 
-/// Checks that a size, positive or negative, is at least 2^10 steps of the prepared scene, so
-/// that curved surfaces look round.
+/// Checks that the magnitude of a size is at least 2^-18 in the prepared scene, so that curved
+/// surfaces look round. That is 2^10 units of a `Length`.
 pub(crate) fn resolvable_size(
     item: SceneItem,
     field: &'static str,
@@ -84,7 +85,7 @@ pub(crate) fn resolvable_size(
     range(item, field, size, sizes)
 }
 
-/// Smallest size that the scale of a scene resolves, in world units.
+/// Returns the smallest size, in world units, that the scale of a scene resolves.
 pub(crate) fn least_size(normalization: &Normalization) -> Real {
     normalization.smallest_size().max(SMALLEST)
 }

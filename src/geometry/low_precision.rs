@@ -1,4 +1,5 @@
-//! Vectors with 16-bit components, for tests by 32-bit products, which every core has.
+//! Vectors with 16-bit components. Products of such components fit 32 bits and need only the
+//! multiply instruction that every core has.
 
 use crate::math::{InverseLength, Length, Unit, Vec3};
 
@@ -8,11 +9,12 @@ pub(crate) fn to_q16(direction: Vec3<Unit>) -> Vec3<i32> {
     direction.map(|c| c.to_bits() >> 14)
 }
 
-/// Normalizes a vector to Q16, given the reciprocal of its length: each component within
-/// 2^-13.
+/// Normalizes a vector to Q16, given the reciprocal of its length. The error of each component
+/// is below 2^-13.
 #[inline(always)]
 pub(crate) fn normalize_q16(v: Vec3<i32>, inverse: InverseLength) -> Vec3<i32> {
-    // Like `normalize`, by the upper halves of a vector of length 2^30 to 2^31 and of U1F31.
+    // Multiplies the upper half of each component, after a shift to a length of 2^30 to 2^31,
+    // by the upper half of the U1F31 reciprocal. `normalize` multiplies the full words instead.
     let shift = inverse.half_shift.wrapping_sub(1) & 31;
     let half = (inverse.inverse >> 16) as i32;
     v.map(|c| ((c << shift >> 16) * half) >> 14)
@@ -24,7 +26,7 @@ pub(crate) fn to_q12(point: Vec3<Length>) -> Vec3<i32> {
     point.map(|c| c.to_bits() >> 16)
 }
 
-/// Dot product of two vectors. The product of their lengths must be below 2^31.
+/// Returns the dot product of two vectors. The product of their lengths must be below 2^31.
 #[inline(always)]
 pub(crate) fn dot(a: Vec3<i32>, b: Vec3<i32>) -> i32 {
     let Vec3 { x, y, z } = a.zip(b, i32::wrapping_mul);

@@ -7,26 +7,29 @@ use super::point::NEAR;
 use crate::math::{Length, Real, Unit, Vec3, bits};
 use crate::scene::SceneProblem;
 
-/// Offsets of planes are below 2^48 steps: 2^20 times the size of the bounded geometry.
+/// Offsets of planes are below 2^48 units of 2^-28, which is 2^20 times the size of the bounded
+/// geometry.
 pub(crate) const OFFSET_BITS: i32 = 48;
 
-/// Largest exponent: a step of a [`Real`] is then a step of a [`Length`].
+/// Largest exponent of the scale. At this exponent the raw bits of a world coordinate
+/// ([`Real`]) equal those of a prepared coordinate ([`Length`]).
 pub(crate) const MAX_EXPONENT: i32 = 4;
 
-/// Translation and scale: `prepared = (world - center) * 2^exponent`.
+/// The mapping from world units to prepared units, a translation and a scale:
+/// `prepared = (world - center) * 2^exponent`.
 ///
-/// A power of two scales exactly, and brings the bounded geometry, the eye and the lights
-/// within ±1.
+/// Scaling by a power of two is exact. The mapping brings the bounded geometry, the eye and the
+/// lights within ±1.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Normalization {
-    /// In the bits of a [`Real`].
+    /// Center of the scene, as the raw bits of a [`Real`].
     pub(crate) center: Vec3<i64>,
-    /// -32 to [`MAX_EXPONENT`].
+    /// Exponent of the scale, from -32 to [`MAX_EXPONENT`].
     pub(crate) exponent: i32,
 }
 
 impl Normalization {
-    /// Fits an extent within ±1.
+    /// Returns the mapping that brings an extent within ±1.
     pub(crate) fn fit(extent: &Extent) -> Self {
         let center = extent.center();
         let half = extent.high.zip(center, |high, center| high - center + 1);
@@ -36,7 +39,7 @@ impl Normalization {
         }
     }
 
-    /// Returns the same mapping with an exponent of at most `exponent`.
+    /// Returns this mapping with its exponent lowered to `exponent` if it is larger.
     pub(crate) fn with_exponent_at_most(self, exponent: i32) -> Self {
         Self {
             exponent: self.exponent.min(exponent),
@@ -44,48 +47,51 @@ impl Normalization {
         }
     }
 
-    /// Converts a distance from the bits of a [`Real`] to the bits of a [`Length`], rounded.
+    /// Converts a distance from world units to prepared units, rounded. The argument is the raw
+    /// bits of a [`Real`], the result those of a [`Length`].
     pub(crate) fn length(&self, bits: i64) -> i64 {
         shifted(bits.into(), self.exponent - 4) as i64
     }
 
-    /// Converts a size, rounded.
+    /// Converts a size from world units to prepared units, rounded.
     pub(crate) fn size(&self, size: Real) -> Length {
         Length::from_bits(self.length(size.to_bits()) as i32)
     }
 
-    /// Converts half of a size in the bits of a [`Real`], rounded.
+    /// Converts a size from the raw bits of a [`Real`] to prepared units and returns half of
+    /// it, rounded.
     pub(crate) fn half_size(&self, bits: i64) -> Length {
         Length::from_bits(shifted(bits.into(), self.exponent - 5) as i32)
     }
 
-    /// Converts a size below 1 after scaling, rounded.
+    /// Converts a size to prepared units, rounded. The result must be below 1.
     pub(crate) fn fraction(&self, size: Real) -> U0F32 {
         let bits = shifted(size.to_bits().into(), self.exponent);
         U0F32::from_bits(bits.min(u32::MAX.into()) as u32)
     }
 
-    /// Converts an area from the bits of a [`Real`] to steps of 2^-56, rounded.
+    /// Converts an area from the raw bits of a [`Real`] to prepared units in Q56, rounded.
     pub(crate) fn area(&self, bits: i64) -> i64 {
         shifted(bits.into(), 24 + 2 * self.exponent) as i64
     }
 
-    /// Converts a point within ±8 after scaling, rounded.
+    /// Converts a point from world units to prepared units, rounded. The result must be within
+    /// ±8.
     pub(crate) fn point(&self, point: Vec3<Real>) -> Vec3<Length> {
         point.zip(self.center, |p, c| {
             Length::from_bits(self.length(p.to_bits() - c) as i32)
         })
     }
 
-    /// Returns true if a point is near, so that rays may start there: 3.5 times as far from
-    /// the center as anything that determined the scale.
+    /// Returns true if rays may start at a point, that is, if its prepared coordinates are in
+    /// the near range (within ±3.5). Everything that determined the scale is within ±1.
     pub(crate) fn is_near(&self, point: Vec3<Real>) -> bool {
         let way = point.zip(self.center, |p, c| self.length(p.to_bits() - c));
         way.all(|c| c.abs() <= i64::from(NEAR))
     }
 
-    /// Computes `normal · point` in the bits of a [`Length`]; `None` if a ray cannot reach a
-    /// plane that far away.
+    /// Computes `normal · point` in the prepared scene, as the raw bits of a [`Length`].
+    /// Returns `None` if a plane with this offset is too far away for any ray to reach.
     pub(crate) fn offset(&self, normal: Vec3<Unit>, point: Vec3<Real>) -> Option<i64> {
         let way = point.zip(self.center, |p, c| i128::from(p.to_bits() - c));
         let along = way.zip(normal, |w, n| w * i128::from(n.to_bits()));
@@ -93,13 +99,14 @@ impl Normalization {
         (offset.abs() < 1 << OFFSET_BITS).then_some(offset as i64)
     }
 
-    /// The problem of a plane whose offset is out of range.
+    /// Returns the problem to report for a plane whose offset is out of range.
     pub(crate) fn offset_problem(&self) -> SceneProblem {
         let most = Real::from_bits(1 << (OFFSET_BITS + 4 - self.exponent).clamp(0, 62));
         SceneProblem::OutOfRange { least: -most, most }
     }
 
-    /// The world size of 2^10 steps.
+    /// Returns the size in world units that becomes 2^-18 in the prepared scene, which is 2^10
+    /// units of a [`Length`].
     pub(crate) fn smallest_size(&self) -> Real {
         Real::from_bits(1 << (14 - self.exponent).clamp(0, 62))
     }

@@ -1,120 +1,43 @@
 //! Planes, unbounded or clipped to a box.
 
+pub(super) mod authored;
+
 use super::bounding_sphere::BoundingSphere;
 use super::clip_box::ClipBox;
-use super::extent::Extent;
-use super::normalization::{Normalization, OFFSET_BITS};
+use super::normalization::OFFSET_BITS;
 use super::point::{HORIZON, NEAR, Point};
-use super::primitive::{AuthoredShape, Primitive, PrimitivePart, SurfacePoint};
+use super::primitive::{Primitive, PrimitivePart, SurfacePoint};
 use super::ray::Ray;
 use super::shadow_segment::ShadowSegment;
 use super::surface::SurfaceFlags;
-use super::{limits, valid};
-use crate::archive::{Archive, Fields};
+use super::valid;
+use crate::archive::{self, Archive, Fields};
 use crate::math::{
-    Length, Real, SoftFloat, Unit, Vec3, bits, component_along, direction, leading_zeros, quotient,
-    quotient_reaches, reciprocal, reciprocal_outlined, scaled, wide,
+    Length, SoftFloat, Unit, Vec3, component_along, leading_zeros, quotient, quotient_reaches,
+    reciprocal, reciprocal_outlined, scaled, wide,
 };
 use crate::observer::{Observer, ShapeKind};
-use crate::scene::{SceneError, SceneItem, SceneProblem};
-use crate::{archive, scene};
 
 /// Tag of an unbounded plane in a compiled scene.
 pub(super) const TAG: u8 = 1;
 /// Tag of a clipped plane in a compiled scene.
 pub(super) const CLIPPED_TAG: u8 = 2;
 
-/// A plane in world units.
-pub(super) struct Authored {
-    pub(super) normal: Vec3<Real>,
-    pub(super) point: Vec3<Real>,
-    pub(super) bounds: scene::ClipBox,
-}
-
-impl Authored {
-    fn bounds(&self) -> [Option<[Real; 2]>; 3] {
-        [self.bounds.x, self.bounds.y, self.bounds.z]
-    }
-}
-
-impl AuthoredShape for Authored {
-    type Prepared = Plane;
-
-    fn validate(&self, item: SceneItem) -> Result<(), SceneError> {
-        limits::point(item, "normal", self.normal)?;
-        limits::point(item, "point", self.point)?;
-        ["bounds.x", "bounds.y", "bounds.z"]
-            .into_iter()
-            .zip(self.bounds())
-            .try_for_each(|(field, bound)| {
-                bound.map_or(Ok(()), |bound| limits::interval(item, field, bound))
-            })
-    }
-
-    /// Unbounded surfaces do not determine the scale: a large floor would cost precision for
-    /// the objects on it.
-    fn extend(&self, _: &mut Extent) {}
-
-    /// Ends of the clip box must be within ±4. In a scene without bounded geometry the point
-    /// of the plane must be within ±2.
-    fn max_exponent(&self, center: Vec3<i64>, is_alone: bool) -> i32 {
-        let mut exponent = i32::MAX;
-        for (bound, center) in self
-            .bounds()
-            .into_iter()
-            .zip([center.x, center.y, center.z])
-        {
-            for end in bound.into_iter().flatten() {
-                exponent = exponent.min(34 - bits(end.to_bits() - center));
-            }
-        }
-        if is_alone {
-            let way = self.point.map(Real::to_bits).zip(center, |p, c| p - c);
-            exponent = exponent.min(33 - bits(way.x).max(bits(way.y)).max(bits(way.z)));
-        }
-        exponent
-    }
-
-    fn prepare(&self, normalization: &Normalization, item: SceneItem) -> Result<Plane, SceneError> {
-        let Some(normal) = direction(self.normal.map(Real::to_bits)) else {
-            return limits::error(item, "normal", SceneProblem::NoDirection);
-        };
-        let Some(offset) = normalization.offset(normal, self.point) else {
-            return limits::error(item, "point", normalization.offset_problem());
-        };
-        let center = normalization.center;
-        let side = |bound: Option<[Real; 2]>, center: i64| {
-            bound.map_or([Length::MIN, Length::MAX], |bound| {
-                bound.map(|b| Length::from_bits(normalization.length(b.to_bits() - center) as i32))
-            })
-        };
-        let [x, y, z] = [
-            side(self.bounds.x, center.x),
-            side(self.bounds.y, center.y),
-            side(self.bounds.z, center.z),
-        ];
-        let clip_box = (self.bounds != scene::ClipBox::NONE).then_some(ClipBox {
-            low: Vec3::new(x[0], y[0], z[0]),
-            high: Vec3::new(x[1], y[1], z[1]),
-        });
-        Ok(Plane::new(normal, offset, clip_box))
-    }
-}
-
-/// A plane.
+/// A plane in the prepared scene.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Plane {
     pub(crate) normal: Vec3<Unit>,
-    /// `normal · p` for the points of the plane, in the bits of a [`Length`] but with more
-    /// range, because a plane may be far from everything else.
+    /// The value of `normal · p` for every point p of the plane, in units of 2^-28. It has more
+    /// bits than a [`Length`], because a plane may be far from everything else.
     offset: i64,
     /// `None` if the plane is unbounded.
     clip_box: Option<ClipBox>,
-    /// True if all of the plane is near. Derived from the other fields.
+    /// True if the whole plane is in the near range (each coordinate within ±3.5). Derived from
+    /// the other fields.
     is_near: bool,
 }
 
-/// A hit point is at most this many steps away from its plane.
+/// Largest distance of a rounded hit point from its plane, in the units of the point.
 const ROUNDING: i64 = 2;
 
 impl Plane {
@@ -135,8 +58,8 @@ impl Plane {
         }
     }
 
-    /// Returns the plane that a tag of a compiled scene starts with, before its fields are
-    /// read.
+    /// Returns a placeholder plane for a tag of a compiled scene. Decoding then reads its
+    /// fields.
     pub(super) fn of_tag(tag: u8) -> Self {
         let clip_box = (tag == CLIPPED_TAG).then_some(ClipBox::UNBOUNDED);
         Self::new(Vec3::default(), 0, clip_box)
@@ -156,8 +79,8 @@ impl Plane {
         n.x == Unit::ZERO && n.y == Unit::ONE && n.z == Unit::ZERO
     }
 
-    /// Depth of a point behind the plane, in the point's steps; negative in front, on the
-    /// side of the normal.
+    /// Returns the depth of a point behind the plane, in the units of the point. The depth is
+    /// negative in front of the plane, which is the side of the normal.
     #[inline(never)]
     pub(crate) fn depth(&self, point: Point) -> i64 {
         self.depth_inlined(point)
@@ -169,15 +92,17 @@ impl Plane {
         (self.offset >> point.shift) - ((along + (1 << 29)) >> 30)
     }
 
-    /// Returns true if a point at this depth may be on the plane, within rounding.
+    /// Returns true if a point at this depth may lie on the plane, given the rounding of hit
+    /// points.
     fn may_contain(depth: i64) -> bool {
         depth.abs() <= ROUNDING
     }
 
-    /// Returns true if a light and a point are on different sides. Needs no distance.
+    /// Returns true if a light and a point are on different sides of the plane. The test needs
+    /// no distance.
     ///
-    /// A point in a corner between planes counts as on the side of each plane from which the
-    /// ray in the direction `view` sees it.
+    /// A point that lies on the plane, such as a point in a corner between planes, counts as on
+    /// the side from which a ray in the direction `view` sees the plane.
     #[inline(always)]
     fn separates(&self, light: Vec3<Length>, point: Point, view: Vec3<Unit>) -> bool {
         let from = self.depth_inlined(Point::near(light));
@@ -194,8 +119,10 @@ impl Plane {
         light_depth.signum() * i64::from(cosine.signum()) < 0
     }
 
-    /// Distance of the hit of a ray from a near origin: exact if below `limit`, else any
-    /// greater distance or none; [`Length::MAX`] if the hit may be in the extended range.
+    /// Returns the distance to the hit. The origin of the ray must be in the near range (each
+    /// coordinate within ±3.5). The distance is exact if it is below `limit`. If the hit is
+    /// farther away, the result is `None` or any distance that is not below `limit`. The result
+    /// is [`Length::MAX`] if the hit may be outside of the near range.
     #[inline(always)]
     fn distance(&self, ray: &Ray, limit: Length) -> Option<Length> {
         let along = component_along(ray.origin.coordinates.map(Length::to_bits), self.normal);
@@ -211,7 +138,7 @@ impl Plane {
         if depth == 0 || cosine == 0 {
             return None;
         }
-        // A hit beyond the limit does not need the division.
+        // A hit beyond the limit needs no division.
         if quotient_reaches(depth, cosine, limit) {
             let is_out_of_reach = self.is_near && has_left_near_range(ray, limit);
             return (!is_out_of_reach).then_some(Length::MAX);
@@ -225,8 +152,9 @@ impl Plane {
         is_inside.then_some(distance)
     }
 
-    /// Point where the segment from a light to a near point crosses the plane, given the
-    /// depths of both, which have opposite signs.
+    /// Returns the point where the segment from a light to a point in the near range (each
+    /// coordinate within ±3.5) crosses the plane. `from` and `to` are the depths of the light
+    /// and the point, which have opposite signs.
     fn crossing(
         &self,
         light: Vec3<Length>,
@@ -234,13 +162,15 @@ impl Plane {
         [from, to]: [i64; 2],
     ) -> Vec3<Length> {
         let [from, to] = [from, to].map(|depth| depth.unsigned_abs() as u32);
-        // Q30
+        // Distance of the crossing from the light, divided by the length of the segment, in
+        // Q30.
         let share = ratio(from, from + to, reciprocal_outlined);
         light + scaled::<30>(to_point.map(Length::to_bits), share).map(Length::from_bits)
     }
 
-    /// Point where a shadow segment crosses the plane, if that is inside the clip box. The
-    /// ends of the segment must be on different sides.
+    /// Returns the point where a shadow segment crosses the plane, or `None` if that point is
+    /// outside of the clip box. The two ends of the segment must be on different sides of the
+    /// plane.
     #[inline(never)]
     fn segment_crossing(&self, segment: &ShadowSegment<'_>) -> Option<Point> {
         let (light, point) = (*segment.light, segment.ray.origin);
@@ -256,24 +186,26 @@ impl Plane {
         self.is_inside_clip_box(&crossing).then_some(crossing)
     }
 
-    /// Returns true if a point of the plane is inside the clip box.
+    /// Returns true if a point of the plane is inside the clip box, or if the plane has no clip
+    /// box.
     fn is_inside_clip_box(&self, point: &Point) -> bool {
         self.clip_box
             .as_ref()
             .is_none_or(|clip_box| clip_box.contains(point))
     }
 
-    /// Distance at which a ray from any origin hits the plane, at any distance, as if it had
-    /// no clip box.
+    /// Returns the distance at which a ray hits the plane, ignoring the clip box. The origin
+    /// and the hit may be in the near or the extended range.
     #[inline(never)]
     fn unclipped_distance(&self, ray: &Ray) -> Option<SoftFloat> {
         let depth = self.depth(ray.origin);
-        // Q60, because the cosine of a distant hit is small.
+        // The cosine keeps Q60, because it is small for a distant hit.
         let cosine = ray.direction.dot(self.normal).to_bits();
         if depth ^ cosine < 0 || cosine == 0 || depth == 0 {
             return None;
         }
-        // Q28 / Q60 -> Q-32 -> Q28 times 2^30, like a quotient.
+        // The depth in Q28 divided by the cosine in Q60 gives 2^-32 times the distance, and
+        // `quotient` multiplies by 2^30. Adding 30 to the exponent gives units of 2^-28.
         let distance = quotient(depth.unsigned_abs(), cosine.unsigned_abs());
         let distance = SoftFloat {
             exponent: distance.exponent + 30 + i32::from(ray.origin.shift),
@@ -295,7 +227,7 @@ impl Primitive for Plane {
             .with(SurfaceFlags::HORIZONTAL, self.is_horizontal())
     }
 
-    /// Planes are treated as unbounded, even with a clip box.
+    /// Returns `None`, because planes are treated as unbounded, even with a clip box.
     fn bounding_sphere(&self) -> Option<BoundingSphere> {
         None
     }
@@ -373,7 +305,7 @@ impl Primitive for Plane {
     }
 
     fn is_disjoint(&self, sphere: &BoundingSphere) -> bool {
-        /// More than all roundings.
+        /// Larger than the sum of all rounding errors.
         const MARGIN: Length = Length::lit("0.00001");
         let radius = sphere.radius + MARGIN;
         self.depth(Point::near(sphere.center)).abs() > i64::from(radius.to_bits())
@@ -397,22 +329,23 @@ impl Fields for Plane {
     }
 }
 
-/// Returns `2^30 a / b`, rounded, which must be below 2^31.
+/// Returns `2^30 a / b`, rounded. The result must be below 2^31.
 #[inline(always)]
 fn ratio(a: u32, b: u32, reciprocal: impl Fn(u32) -> u32) -> i32 {
     let shift = leading_zeros(b) & 31;
-    // 1/b = reciprocal * 2^(shift - 63)
+    // The reciprocal belongs to `b << shift`, so `1 / b = reciprocal * 2^(shift - 63)`.
     let product = wide(a, reciprocal(b << shift));
     let twice = ((product >> 32) as u32) << shift | (product as u32 >> 1) >> (31 - shift);
     (twice.wrapping_add(1) >> 1) as i32
 }
 
-/// Returns true if a ray has left the near range after a distance, as far as the upper halves
-/// of words show it along one axis.
+/// Returns true if a ray is outside of the near range (each coordinate within ±3.5) after a
+/// distance. The test uses only the upper halves of words and one axis at a time, so it may
+/// miss a point that is just outside.
 fn has_left_near_range(ray: &Ray, distance: Length) -> bool {
     let distance = (distance.to_bits() >> 16) as u32;
     let has_left = |from: Length, direction: Unit| {
-        // Q14 * Q12 beside Q26
+        // The direction in Q14 times the distance in Q12 is compared with a sum in Q26.
         let way = (direction.to_bits().unsigned_abs() >> 16) * distance;
         way > ((NEAR as u32 + from.to_bits().unsigned_abs()) >> 2) + 1
     };
@@ -436,7 +369,8 @@ mod tests {
         Vec3::new(c(), c(), c())
     }
 
-    /// Compares the path for near planes with the general path, from random origins.
+    /// Compares the fast path for planes in the near range with the general path, using rays
+    /// from random origins.
     #[test]
     fn a_near_plane_has_the_hits_of_any_plane() {
         let random = &mut Rng::with_seed(1);
@@ -462,7 +396,8 @@ mod tests {
                 is_near: false,
                 ..near
             };
-            // Towards a point between the ends, not of unit length, like a camera ray.
+            // Aims at a point inside the clip box. The direction is not a unit vector, like
+            // that of a camera ray.
             let origin = vector(random, 3.4);
             let share = Length::from_num(random.f64());
             let mut to = a.zip(b, |a, b| a + (b - a) * share);
@@ -471,7 +406,8 @@ mod tests {
             }
             let mut direction = (to - origin).map(|c| Unit::from_bits(c.to_bits() >> 1));
             if random.bool() {
-                // Nearly parallel to the plane, towards the extended range.
+                // Makes the ray nearly parallel to the plane, so that it heads for the extended
+                // range.
                 direction = vector(random, 1.0).map(|c| Unit::from_bits(c.to_bits() << 2));
                 direction.y = Unit::from_bits(direction.y.to_bits() >> random.u32(..8));
             }
@@ -485,7 +421,7 @@ mod tests {
             let found = near.distance(&ray, NEAR_LIMIT);
             let is_far = found == Some(Length::MAX);
             assert_eq!(found.filter(|_| !is_far), expected, "{near:?} {ray:?}");
-            // A hit in the extended range is not lost.
+            // The fast path must not lose a hit in the extended range, beyond ±3.5.
             assert!(found.is_some() || any.intersect_extended(&ray, false).is_none());
             dropped += i32::from(any.distance(&ray, NEAR_LIMIT).is_some() && found.is_none());
             met += i32::from(expected.is_some());
@@ -497,7 +433,8 @@ mod tests {
         );
     }
 
-    /// Errors are in steps: a quotient, a product and both depths are rounded.
+    /// Errors are in units of 2^-28. They stem from the rounding of a quotient, a product and
+    /// both depths.
     #[test]
     fn the_crossing_of_a_shadow_segment_is_on_the_plane() {
         let random = &mut Rng::with_seed(2);

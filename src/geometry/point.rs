@@ -1,36 +1,37 @@
 //! Points of a prepared scene, in the near and the extended range.
 //!
-//! The bounded geometry of a prepared scene lies within ±1 of the origin. A point within
-//! ±[`NEAR`] is *near* and has exact [`Length`] coordinates. Only planes and unbounded
-//! quadrics have points farther away: those are in the *extended range*, in steps of
-//! `2^shift`, so that the largest coordinate still uses its bits. A ray direction is known to
-//! 2^-30, so the coarser steps lose nothing.
+//! The bounded geometry of a prepared scene lies within ±1 of the origin. A point is in the
+//! *near range* if each coordinate is within ±3.5 ([`NEAR`]); its coordinates are then exact
+//! [`Length`] values. Planes and unbounded quadrics also have points farther away, in the
+//! *extended range*. Their coordinates are in units of `2^(shift - 28)`, so that the largest
+//! coordinate still uses all of its bits. A ray direction has an error of 2^-30 anyway, so the
+//! coarser unit loses no precision.
 
 use crate::math::{Length, Vec3};
 
-/// Largest coordinate of a near point.
+/// Largest coordinate of a point in the near range: 3.5, as the raw bits of a [`Length`].
 ///
-/// From a near point to the bounded geometry it is less than `sqrt(3) * (3.5 + 1) < 8`, which
-/// a [`Length`] holds.
+/// The distance from a point in the near range to the bounded geometry is less than
+/// `sqrt(3) * (3.5 + 1) < 8`, which fits a [`Length`].
 pub(crate) const NEAR: i32 = 7 << 27;
 
-/// A hit is dropped from a distance of `2^(32 + HORIZON)` steps on: 2^26 times the size of the
-/// scene, closer to the horizon than the pixels of any display resolve.
+/// Exponent of the largest hit distance. Hits at a distance of `2^(32 + HORIZON)` units of
+/// 2^-28 or more are dropped. That distance is 2^26 times the size of the scene, and closer to
+/// the horizon than the pixels of any display resolve.
 ///
-/// A path of 33 such hits, the longest in a ray tree, stays below 2^60 steps, so the shift of
+/// The longest path in a ray tree has 33 such hits and stays below 2^60 units, so the shift of
 /// a point stays below 32.
 pub(crate) const HORIZON: i32 = 22;
 
-/// The point `coordinates * 2^shift`.
+/// A point at `coordinates * 2^shift`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Point {
     pub(crate) coordinates: Vec3<Length>,
-    /// Zero for near points.
+    /// Zero for points in the near range (each coordinate within ±3.5).
     pub(crate) shift: u8,
 }
 
 impl Point {
-    #[inline(always)]
     pub(crate) const fn near(coordinates: Vec3<Length>) -> Self {
         Self {
             coordinates,
@@ -38,12 +39,12 @@ impl Point {
         }
     }
 
-    #[inline(always)]
     pub(crate) fn is_near(self) -> bool {
         self.shift == 0
     }
 
-    /// Normalizes coordinates in steps of `2^shift` to the smallest shift that fits them.
+    /// Returns the point at the given coordinates, which are in units of `2^(shift - 28)`. The
+    /// point gets the smallest shift that fits its coordinates.
     pub(crate) fn normalized(mut coordinates: Vec3<i64>, mut shift: u32) -> Self {
         loop {
             let largest = max_abs(coordinates);
@@ -63,21 +64,20 @@ impl Point {
         }
     }
 
-    /// Returns the vector from this point to a near point, in steps of this point's
-    /// `2^shift`. Its length is below 8.
-    #[inline(always)]
+    /// Returns the vector from this point to `near`, a point in the near range (each coordinate
+    /// within ±3.5). The vector is in units of `2^(shift - 28)`, with the shift of this point.
+    /// Its length as a [`Length`] is below 8.
     pub(crate) fn to(self, near: Vec3<Length>) -> Vec3<Length> {
         near.zip(self.coordinates, |n, c| (n >> u32::from(self.shift)) - c)
     }
 }
 
-/// Returns true if all coordinates are within ±[`NEAR`].
-#[inline(always)]
+/// Returns true if all coordinates are in the near range, within ±3.5 ([`NEAR`]).
 pub(crate) fn are_near(coordinates: Vec3<Length>) -> bool {
     coordinates.all(|c| c.to_bits().wrapping_add(NEAR) as u32 <= 2 * NEAR as u32)
 }
 
-/// Largest magnitude of the coordinates.
+/// Returns the largest magnitude of the three coordinates.
 fn max_abs(c: Vec3<i64>) -> i64 {
     c.x.abs().max(c.y.abs()).max(c.z.abs())
 }

@@ -1,4 +1,5 @@
-//! The operations of a shape. Each file of a shape implements both traits.
+//! The two traits of a shape. [`AuthoredShape`] covers validation and preparation,
+//! [`Primitive`] covers ray tests. Every shape implements both traits.
 
 use super::bounding_sphere::BoundingSphere;
 use super::extent::Extent;
@@ -12,25 +13,25 @@ use crate::math::{Length, SoftFloat, Unit, Vec3};
 use crate::observer::Observer;
 use crate::scene::{SceneError, SceneItem};
 
-/// The authored form of a shape: what is validated and prepared.
+/// A shape as authored, in world units. It is validated and then prepared.
 pub(crate) trait AuthoredShape {
-    /// The prepared form.
+    /// Type of the prepared shape.
     type Prepared;
 
-    /// Checks all that does not depend on the scale of the scene.
+    /// Checks every property of the shape that does not depend on the scale of the scene.
     fn validate(&self, item: SceneItem) -> Result<(), SceneError>;
 
     /// Adds the bounded parts of the shape to the extent of the scene.
     fn extend(&self, extent: &mut Extent);
 
-    /// Largest exponent of the scale at which the shape can be prepared. `is_alone` if the
-    /// scene has no bounded geometry.
+    /// Returns the largest exponent of the scene's scale at which the shape can be prepared.
+    /// `is_alone` is true if the scene has no bounded geometry.
     fn max_exponent(&self, center: Vec3<i64>, is_alone: bool) -> i32 {
         let _ = (center, is_alone);
         i32::MAX
     }
 
-    /// Converts the shape to the formats of the prepared scene.
+    /// Converts the shape to the number formats of the prepared scene.
     fn prepare(
         &self,
         normalization: &Normalization,
@@ -38,7 +39,7 @@ pub(crate) trait AuthoredShape {
     ) -> Result<Self::Prepared, SceneError>;
 }
 
-/// The part of a composite shape that a ray hit: a sphere of a sphereflake.
+/// The part of a composite shape that a ray hit, such as one sphere of a sphereflake.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct PrimitivePart {
     /// Identifies the part within its shape.
@@ -52,48 +53,51 @@ pub(crate) struct PrimitivePart {
 pub(crate) struct SurfacePoint {
     /// Outward unit normal.
     pub(crate) normal: Vec3<Unit>,
-    /// Part of a composite shape; 0 for other shapes.
+    /// Id of the hit part of a composite shape; 0 for other shapes.
     pub(crate) part: u32,
 }
 
 impl SurfacePoint {
-    /// A point of a shape without parts.
+    /// Returns a surface point of a shape that has no parts.
     #[inline(always)]
     pub(super) fn new(normal: Vec3<Unit>) -> Self {
         Self { normal, part: 0 }
     }
 }
 
-/// The prepared form of a shape: what rays are tested against.
+/// A prepared shape, which rays are tested against.
 ///
-/// Distances come first, for every object that a ray may hit. The normal is computed for the
-/// nearest hit only.
+/// The distance of the hit is computed for every object that a ray may hit. The normal is
+/// computed only for the nearest hit.
 pub(crate) trait Primitive: Fields {
-    /// Returns true if every field is in the range that tracing relies on, after decoding.
+    /// Returns true if every field is in the range that tracing relies on. This check runs
+    /// after a compiled scene is decoded.
     fn is_valid(&self) -> bool;
 
-    /// Flags of the surface.
+    /// Returns the flags of the surface.
     fn flags(&self) -> SurfaceFlags;
 
-    /// A sphere around the shape; `None` if the shape is unbounded.
+    /// Returns a sphere that encloses the shape, or `None` if the shape is unbounded.
     fn bounding_sphere(&self) -> Option<BoundingSphere>;
 
-    /// Returns true if the shape is its bounding sphere.
+    /// Returns true if the shape is a sphere and thus equal to its bounding sphere.
     fn is_sphere(&self) -> bool {
         false
     }
 
-    /// Returns true if every hit point of a near ray is near, which saves a test.
+    /// Returns true if the whole shape is in the near range (each coordinate within ±3.5). Hit
+    /// points then need no range test.
     fn is_near(&self) -> bool {
         false
     }
 
-    /// Distance of the nearest hit of a ray from a near origin. Exact if below `limit`, and
+    /// Returns the distance of the nearest hit. The origin of the ray must be in the near range
+    /// (each coordinate within ±3.5). The distance is exact if it is below `limit`. It is
     /// [`Length::MAX`] if the hit may be beyond the near range.
     ///
-    /// `is_origin` if the ray leaves the surface of this shape. A hit part of a composite
-    /// shape is written to `part` if the hit is below `limit`. Reports every test of a
-    /// surface to the observer.
+    /// `is_origin` is true if the ray leaves the surface of this shape. If the hit is below
+    /// `limit`, a composite shape writes the part that was hit to `part`. Every test of a
+    /// surface is reported to the observer.
     fn intersect(
         &self,
         ray: &Ray,
@@ -103,26 +107,29 @@ pub(crate) trait Primitive: Fields {
         observer: &mut impl Observer,
     ) -> Option<Length>;
 
-    /// Distance of the nearest hit at any distance from any origin, for unbounded shapes;
-    /// `None` for bounded ones.
+    /// Returns the distance of the nearest hit, which may be at any distance from any origin.
+    /// Bounded shapes always return `None`.
     fn intersect_extended(&self, ray: &Ray, is_origin: bool) -> Option<SoftFloat> {
         let _ = (ray, is_origin);
         None
     }
 
-    /// Returns true if a point of the unclipped surface belongs to the shape.
+    /// Returns true if a point of the surface belongs to the shape, that is, if it is not
+    /// clipped away.
     fn covers(&self, point: &Point) -> bool {
         let _ = point;
         true
     }
 
-    /// Surface properties at a hit point.
+    /// Returns the surface properties at a hit point.
     fn surface_at(&self, point: &Point, part: &PrimitivePart) -> SurfacePoint;
 
-    /// Number of crossings of a shadow segment, if it is known without a square root.
+    /// Returns the number of times that a shadow segment crosses the shape. Returns `None` if
+    /// the number cannot be found without the crossing points, which take a square root or a
+    /// division.
     ///
-    /// `any` if one crossing is enough to occlude the light: a shape then may count no
-    /// further than one.
+    /// `any` is true if one crossing is enough to occlude the light. A shape may then stop
+    /// counting at one.
     fn count_crossings(
         &self,
         segment: &ShadowSegment<'_>,
@@ -131,8 +138,8 @@ pub(crate) trait Primitive: Fields {
         observer: &mut impl Observer,
     ) -> Option<u8>;
 
-    /// Visits the points where a shadow segment crosses the shape, in no order, until `visit`
-    /// returns false.
+    /// Calls `visit` with each point where a shadow segment crosses the shape, in no particular
+    /// order, until `visit` returns false.
     fn visit_crossings(
         &self,
         segment: &ShadowSegment<'_>,
@@ -141,13 +148,13 @@ pub(crate) trait Primitive: Fields {
         visit: &mut dyn FnMut(Point) -> bool,
     );
 
-    /// Returns true if the shape does not reach into a sphere.
+    /// Returns true if no part of the shape is inside a sphere.
     fn is_disjoint(&self, sphere: &BoundingSphere) -> bool {
         self.bounding_sphere()
             .is_some_and(|bound| bound.is_disjoint(sphere))
     }
 
-    /// Returns true if an unbounded shape may be between a point and a part of a sphere.
+    /// Returns true if an unbounded shape may lie between a point and some part of a sphere.
     fn may_separate(&self, point: Vec3<Length>, sphere: &BoundingSphere) -> bool {
         let _ = (point, sphere);
         true

@@ -1,7 +1,7 @@
 //! Quadrics: ellipsoids, and cylinders, cones and paraboloids around the y axis.
 //!
-//! Each form gives the quadratic equation of a ray and the gradient at a point. Everything
-//! that follows from these is here, once for all forms.
+//! Each of these four forms provides the quadratic equation for the hits of a ray, and the
+//! gradient at a point. The code that all forms share is in this file.
 
 pub(super) mod cone;
 pub(super) mod cylinder;
@@ -32,12 +32,12 @@ use paraboloid::Paraboloid;
 pub(super) use placed::Placed;
 use quadratic::Quadratic;
 
-/// A surface of the second degree.
+/// A quadric surface in the prepared scene.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Quadric {
-    /// Point that the coordinates of the form count from, within ±1.
+    /// Origin of the form's coordinates, within ±1.
     center: Vec3<Length>,
-    /// Lower and upper end along y; `None` if the form is not clamped.
+    /// Lowest and highest y of the surface; `None` if the form is not clamped.
     clamp: Option<[Length; 2]>,
     form: Form,
 }
@@ -50,7 +50,7 @@ enum Form {
     Paraboloid(Paraboloid),
 }
 
-/// Evaluates an expression for the form of a quadric: the only dispatch over forms.
+/// Evaluates an expression with the form of a quadric. All dispatch over forms uses this macro.
 macro_rules! dispatch {
     ($form:expr, $it:ident => $answer:expr) => {
         match $form {
@@ -84,13 +84,13 @@ impl Default for Form {
     }
 }
 
-/// Largest distance between two points of the bounded geometry, in any direction: it is
-/// within ±1.
+/// Upper bound of the distance between two points of the bounded geometry, which lies within ±1
+/// along each axis.
 const FARTHEST: Length = Length::lit("3.5");
 
 impl Quadric {
-    /// Returns the quadric that a tag of a compiled scene starts with, before its fields are
-    /// read; `None` for tags of other shapes.
+    /// Returns a placeholder quadric for a tag of a compiled scene, or `None` if the tag
+    /// belongs to another shape. Decoding then reads the fields of the quadric.
     pub(super) fn of_tag(tag: u8) -> Option<Self> {
         let form = match tag {
             Ellipsoid::TAG => Form::Ellipsoid(Ellipsoid::default()),
@@ -125,10 +125,12 @@ impl Quadric {
         self.clamp.is_none() && self.tag() != Ellipsoid::TAG
     }
 
-    /// Distances of the hits of a ray, in no order. A bounded quadric expects a near origin.
+    /// Returns the distances of the hits of a ray, in no particular order. If the quadric is
+    /// bounded, the origin must be in the near range (each coordinate within ±3.5).
     ///
-    /// `side` if the ray leaves this quadric: true for its inside. One root is then known to
-    /// be the origin, and the other needs no square root.
+    /// `side` is `None` if the ray does not leave this quadric. If it does, `side` is true for
+    /// a ray through the inside and false for a ray on the outside. One root is then known to
+    /// be the origin, and the other root needs no square root.
     #[inline(never)]
     fn hits(&self, ray: &Ray, side: Option<bool>) -> [Option<SoftFloat>; 2] {
         let quadratic = self.quadratic(ray);
@@ -147,7 +149,7 @@ impl Quadric {
         roots
     }
 
-    /// Distance of the nearest hit.
+    /// Returns the distance of the nearest hit.
     fn nearest(&self, ray: &Ray, is_origin: bool) -> Option<SoftFloat> {
         match self.hits(ray, is_origin.then_some(ray.leaves.is_inside)) {
             [Some(first), Some(second)] => Some(first.min(second)),
@@ -161,8 +163,8 @@ impl Quadric {
         dispatch!(&self.form, form => form.quadratic(offset, ray.direction, shift))
     }
 
-    /// Returns true if the hit at a distance is within the clamp, or before the horizon if
-    /// there is no clamp.
+    /// Returns true if the hit at a distance is within the clamp. Without a clamp, returns true
+    /// if the hit is before the horizon.
     #[inline(never)]
     fn contains(&self, ray: &Ray, distance: SoftFloat) -> bool {
         let Some([low, high]) = self.clamp else {
@@ -191,7 +193,8 @@ impl Primitive for Quadric {
                 .is_none_or(|ends| ends.into_iter().all(|y| valid::is_within(y, Length::ONE)))
     }
 
-    /// A clamped quadric is open: it encloses nothing.
+    /// Returns the flags of the quadric. A clamped quadric is open, because it encloses no
+    /// volume.
     fn flags(&self) -> SurfaceFlags {
         SurfaceFlags::NONE
             .with(SurfaceFlags::BOUNDED, !self.is_unbounded())
@@ -199,7 +202,7 @@ impl Primitive for Quadric {
     }
 
     fn bounding_sphere(&self) -> Option<BoundingSphere> {
-        /// More than all roundings.
+        /// Larger than the sum of all rounding errors.
         const MARGIN: Length = Length::lit("0.000001");
         if self.is_unbounded() {
             return None;
@@ -242,7 +245,7 @@ impl Primitive for Quadric {
         }
     }
 
-    /// The normal is zero at the apex of a cone.
+    /// Returns the normal at a hit point. At the apex of a cone the normal is the zero vector.
     #[inline(never)]
     fn surface_at(&self, point: &Point, _: &PrimitivePart) -> SurfacePoint {
         let offset = -point.to(self.center);
@@ -261,8 +264,9 @@ impl Primitive for Quadric {
         None
     }
 
-    /// A quadric that contains the lit point is searched from that point, where one root is
-    /// known.
+    /// Visits the points where a shadow segment crosses the quadric. If the lit point is on
+    /// this quadric, the ray is traced from the lit point to the light, because one root is
+    /// then known.
     fn visit_crossings(
         &self,
         segment: &ShadowSegment<'_>,

@@ -13,7 +13,8 @@ pub(crate) struct Ray {
 }
 
 impl Ray {
-    /// Returns the point at a distance below 8 from a near origin.
+    /// Returns the point at a distance below 8 along the ray. The origin must be in the near
+    /// range (each coordinate within ±3.5).
     pub(crate) fn at(&self, distance: Length) -> Point {
         let coordinates = self.at_near(distance);
         if are_near(coordinates) {
@@ -23,22 +24,24 @@ impl Ray {
         }
     }
 
-    /// Returns the point at a distance below 8 from a near origin, if that point is near.
+    /// Returns the coordinates of the point at a distance below 8 along the ray. Both the
+    /// origin and the point must be in the near range (each coordinate within ±3.5).
     ///
-    /// Coordinates reach 3.5 + 8, so those of another point wrap around to ±4 and beyond,
-    /// which [`are_near`] recognizes.
+    /// A point outside of the near range has coordinates up to 3.5 + 8. They wrap around to ±4
+    /// or beyond, which [`are_near`] detects.
     #[inline(always)]
     pub(crate) fn at_near(&self, distance: Length) -> Vec3<Length> {
         let origin = self.origin.coordinates;
         origin.zip(self.direction.times(distance), Length::wrapping_add)
     }
 
-    /// Returns the point at any distance from any origin.
+    /// Returns the point at any distance along the ray. The origin may be in the near or the
+    /// extended range.
     #[cold]
     pub(crate) fn at_extended(&self, distance: SoftFloat) -> Point {
         let origin_shift = i32::from(self.origin.shift);
-        // Both terms in the coarser of the origin's steps and the steps in which the distance
-        // is below 2^30.
+        // Both terms of the sum use the coarser of two units: the unit of the origin, and the
+        // finest unit in which the distance is below 2^30.
         let shift = origin_shift
             .max(distance.exponent + 32 - distance.mantissa.leading_zeros() as i32 - 30);
         let down = (shift - distance.exponent) as u32;
@@ -50,13 +53,15 @@ impl Ray {
         Point::normalized(coordinates, shift as u32)
     }
 
-    /// Replaces the origin in the extended range by a near one on the same line, just outside
-    /// of the bounded geometry. Also returns the steps of a [`Length`] between both origins.
+    /// Moves the origin of the ray from the extended range to the near range (each coordinate
+    /// within ±3.5). The new origin is on the same line, just outside of the bounded geometry.
+    /// Also returns the distance between the two origins, in units of 2^-28.
     ///
-    /// `None` if the ray misses the bounded geometry or points away from it.
+    /// Returns `None` if the ray misses the bounded geometry or points away from it.
     #[cold]
     pub(crate) fn moved_near(&self) -> Option<(Self, i64)> {
-        /// Bounded geometry is within sqrt(3) of the scene's origin.
+        /// Distance of the new origin from the foot. It is larger than sqrt(3), the largest
+        /// distance of bounded geometry from the origin of the scene.
         const START: Length = Length::lit("1.75");
         const LARGEST: i64 = 2 << 58;
 
@@ -66,8 +71,8 @@ impl Ray {
             return None;
         }
         let to_foot = rounded::<30>(to_foot);
-        // The point of the ray that is nearest to the scene's origin, in steps of the ray's
-        // origin, Q58.
+        // The foot is the point of the ray nearest to the origin of the scene. It has Q58 and
+        // is still in units scaled by `2^shift`.
         let foot = coordinates.zip(self.direction, |c, d| {
             (i64::from(c.to_bits()) << 30) + d.to_bits().product(to_foot)
         });
@@ -75,7 +80,8 @@ impl Ray {
         if is_outside(foot.x) || is_outside(foot.y) || is_outside(foot.z) {
             return None;
         }
-        // Q58 in steps of 2^shift -> Q28
+        // Shifting by `shift` removes the scale; the coordinates are then rounded from Q58 to
+        // Q28.
         let foot = foot.map(|c| round_length::<30>(c << shift));
         let origin = Point::near(foot - self.direction.times(START));
         let skipped = (i64::from(to_foot) << shift) - i64::from(START.to_bits());
@@ -83,5 +89,6 @@ impl Ray {
     }
 }
 
-// A near point plus a direction times 8 must not wrap back into the near range.
+// A point in the near range (within ±3.5) that moves by up to 8 must not wrap around into the
+// near range again.
 const _: () = assert!(NEAR as i64 + (8 << 28) < (1 << 32) - NEAR as i64);

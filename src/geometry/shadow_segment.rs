@@ -5,32 +5,37 @@ use crate::math::{InverseLength, Length, SoftFloat, Unit, Vec3, normalize};
 
 /// The segment from a light to a point of a surface.
 ///
-/// Shadow rays are traced from the light, which is near wherever the point is.
+/// Shadow rays are traced from the light, because a light is always in the near range (each
+/// coordinate within ±3.5), while the point may be in the extended range.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ShadowSegment<'r> {
     /// Position of the light.
     pub(crate) light: &'r Vec3<Length>,
-    /// Vector from the point to the light, in steps of the point's shift.
+    /// Vector from the point to the light, in units of `2^(shift - 28)`, with the shift of the
+    /// point.
     pub(crate) to_light: Vec3<Length>,
     /// Reciprocal length of `to_light`.
     pub(crate) inverse: InverseLength,
-    /// The ray that hit the point: its origin is the point, and it leaves the point's surface.
+    /// The ray that hit the point. Its origin has been moved to the point, and it leaves the
+    /// surface of the point.
     pub(crate) ray: &'r Ray,
 }
 
 impl ShadowSegment<'_> {
-    /// Unit vector from the point to the light.
+    /// Returns the unit vector from the point to the light.
     pub(crate) fn direction_to_light(&self) -> Vec3<Unit> {
         normalize(self.to_light.map(Length::to_bits), self.inverse)
     }
 
-    /// Length in steps of the point's shift.
+    /// Returns the length of the segment in units of `2^(shift - 28)`, with the shift of the
+    /// point.
     fn length(&self) -> Length {
         Length::from_bits(self.inverse.length() as i32)
     }
 
-    /// Length if the point is near, else [`Length::MAX`]: the segment then passes through
-    /// all bounded geometry.
+    /// Returns the length of the segment if the point is in the near range (each coordinate
+    /// within ±3.5). Returns [`Length::MAX`] for a point in the extended range, because the
+    /// segment then passes through all bounded geometry.
     pub(crate) fn near_length(&self) -> Length {
         if self.ray.origin.is_near() {
             self.length()
@@ -39,13 +44,14 @@ impl ShadowSegment<'_> {
         }
     }
 
-    /// Length in steps of a [`Length`], wherever the point is.
+    /// Returns the length of the segment in units of 2^-28. The point may be in the near or the
+    /// extended range.
     pub(crate) fn full_length(&self) -> i64 {
         i64::from(self.length().to_bits()) << self.ray.origin.shift
     }
 
-    /// Visits the point of a ray at a distance if that is within the segment. Returns false
-    /// if the visitor asks to stop.
+    /// Calls `visit` with the point at `distance` along `ray`, if `distance` is within the
+    /// segment. Returns false if `visit` asks to stop.
     pub(crate) fn visit_at(
         &self,
         ray: &Ray,

@@ -1,7 +1,7 @@
-//! The shapes of a scene, and the only dispatch over them.
+//! The prepared shapes of a scene. All dispatch over shapes happens in this file.
 //!
-//! A new shape takes a file that implements [`AuthoredShape`] and [`Primitive`], its authored
-//! form in `scene/shape.rs`, and a line in each list of this file.
+//! To add a shape, write a file that implements [`AuthoredShape`] and [`Primitive`], add the
+//! authored form to `scene/shape.rs`, and add a line to each list in this file.
 
 use super::bounding_sphere::BoundingSphere;
 use super::extent::Extent;
@@ -24,10 +24,11 @@ use crate::math::{Length, SoftFloat, Vec3};
 use crate::observer::Observer;
 use crate::scene::{self, SceneError, SceneItem};
 
-/// The prepared form of a shape.
+/// A shape in the prepared scene.
 ///
-/// The tag has a byte of its own, which is cheaper to read than one that the compiler hides
-/// in a variant, and takes no more memory.
+/// `repr(u8)` gives the tag of the enum a byte of its own. Reading that byte is cheaper than
+/// reading a tag that the compiler hides in a field of a variant, and the enum takes no more
+/// memory.
 #[derive(Clone, Copy, Debug)]
 #[repr(u8)]
 pub(crate) enum Shape {
@@ -39,7 +40,7 @@ pub(crate) enum Shape {
     Sphereflake(Sphereflake),
 }
 
-/// Evaluates an expression for the primitive of a shape.
+/// Evaluates an expression with the primitive inside a prepared shape.
 macro_rules! dispatch {
     ($shape:expr, $it:ident => $answer:expr) => {
         match $shape {
@@ -53,8 +54,8 @@ macro_rules! dispatch {
     };
 }
 
-/// Evaluates an expression for the authored form of a shape, or else for the name of the Cargo
-/// feature that the shape needs.
+/// Evaluates the first expression with the authored form of a shape. If the shape needs a Cargo
+/// feature that is off, evaluates the second expression with the name of that feature.
 macro_rules! dispatch_authored {
     ($shape:expr, $it:ident => $answer:expr, $feature:ident => $missing:expr) => {
         match *$shape {
@@ -67,7 +68,7 @@ macro_rules! dispatch_authored {
                 point,
                 bounds,
             } => {
-                let $it = plane::Authored {
+                let $it = plane::authored::Authored {
                     normal,
                     point,
                     bounds,
@@ -170,7 +171,7 @@ where
     }
 }
 
-/// Checks all of an authored shape that does not depend on the scale of the scene.
+/// Checks every property of an authored shape that does not depend on the scale of the scene.
 pub(crate) fn validate(shape: &scene::Shape, item: SceneItem) -> Result<(), SceneError> {
     dispatch_authored!(shape, it => it.validate(item), feature => {
         limits::error(item, "shape", scene::SceneProblem::MissingFeature(feature))
@@ -182,7 +183,8 @@ pub(crate) fn extend(shape: &scene::Shape, extent: &mut Extent) {
     dispatch_authored!(shape, it => it.extend(extent), _feature => ());
 }
 
-/// Largest exponent of the scale at which an authored shape can be prepared.
+/// Returns the largest exponent of the scene's scale at which an authored shape can be
+/// prepared.
 pub(crate) fn max_exponent(shape: &scene::Shape, center: Vec3<i64>, is_alone: bool) -> i32 {
     dispatch_authored!(shape, it => it.max_exponent(center, is_alone), _feature => i32::MAX)
 }
@@ -304,8 +306,8 @@ impl Shape {
         dispatch!(self, it => it.tag())
     }
 
-    /// Returns the shape that a tag starts with, before its fields are read. An unknown tag
-    /// becomes a sphere without a radius, which is not valid.
+    /// Returns a placeholder shape for a tag of a compiled scene. Decoding then reads its
+    /// fields. An unknown tag gives a sphere with radius 0, which is not valid.
     fn of_tag(tag: u8) -> Self {
         #[cfg(feature = "quadrics")]
         if let Some(quadric) = Quadric::of_tag(tag) {
@@ -320,7 +322,7 @@ impl Shape {
     }
 }
 
-/// Name of the Cargo feature that the shape of a tag needs and that is off.
+/// Returns the name of the Cargo feature that a shape tag needs, if that feature is off.
 fn missing_feature(tag: u8) -> Option<&'static str> {
     match tag {
         3..=6 if cfg!(not(feature = "quadrics")) => Some("quadrics"),

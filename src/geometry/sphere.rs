@@ -51,7 +51,7 @@ impl AuthoredShape for Authored {
     }
 }
 
-/// A sphere within ±1.
+/// A sphere in the prepared scene, within ±1.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Sphere {
     center: Vec3<Length>,
@@ -65,19 +65,20 @@ struct Chord {
     to_center: Vec3<Length>,
     /// Distance from the origin to the middle of the chord.
     middle: Length,
-    /// Square of half the length.
+    /// Square of half the chord's length.
     discriminant: I8F56,
 }
 
 impl Chord {
-    /// Half of the length, at least one step.
+    /// Returns half of the chord's length, at least 2^-28.
     #[inline(always)]
     fn half(&self) -> Length {
         let root = inverse_length(self.discriminant.to_bits() as u64).length();
         Length::from_bits(root as i32)
     }
 
-    /// Half of the length, by a call: for rare cases, where flash counts more than time.
+    /// Returns half of the chord's length. Rare cases use this variant, which calls the square
+    /// root instead of inlining it, because they need small code more than speed.
     fn half_outlined(&self) -> Length {
         Length::from_bits(square_root(self.discriminant.to_bits().max(1) as u64) as i32)
     }
@@ -99,9 +100,10 @@ impl Sphere {
 
     /// Returns the chord of a line, if the line meets the sphere.
     ///
-    /// The discriminant is `r² - |l|²`, with `l` from the center to the middle of the chord.
-    /// The textbook form `b² - c` loses the bits of a small sphere far away; `l` keeps them
-    /// (Haines and others, Ray Tracing Gems 2019, chapter 7).
+    /// The discriminant is `r² - |l|²`, where r is the radius and l the vector from the center
+    /// to the middle of the chord. The textbook form `b² - c` loses the bits of a small sphere
+    /// far away, but this form keeps them (Haines and others, Ray Tracing Gems 2019, chapter
+    /// 7).
     #[inline(always)]
     fn chord(&self, origin: Vec3<Length>, direction: Vec3<Unit>) -> Option<Chord> {
         let to_center = self.center - origin;
@@ -115,8 +117,8 @@ impl Sphere {
         })
     }
 
-    /// Returns a chord that is not entirely behind the origin, and true if the origin is
-    /// outside of the sphere.
+    /// Returns the chord of a ray, and true if the origin is outside of the sphere. Returns
+    /// `None` if the ray misses the sphere or the chord is entirely behind the origin.
     #[inline(always)]
     fn chord_ahead(&self, origin: Vec3<Length>, direction: Vec3<Unit>) -> Option<(Chord, bool)> {
         let chord = self.chord(origin, direction)?;
@@ -124,15 +126,16 @@ impl Sphere {
         Some((chord, is_outside))
     }
 
-    /// Returns true if the origin is outside of the sphere; `None` if the chord is behind it.
+    /// Returns true if the origin of the ray is outside of the sphere. Returns `None` if the
+    /// chord is entirely behind the origin.
     #[inline(always)]
     fn is_outside(&self, chord: &Chord) -> Option<bool> {
         let is_outside = chord.to_center.squared() > self.radius_squared;
         (!is_outside || chord.middle > Length::ZERO).then_some(is_outside)
     }
 
-    /// Returns true for the entry, and for the exit, if a ray reaches them before `distance`.
-    /// Needs no square root.
+    /// Returns two flags: true if a ray enters the sphere before `distance`, and true if the
+    /// ray leaves the sphere before `distance`. The test needs no square root.
     #[inline(always)]
     fn crosses_before(
         &self,
@@ -143,7 +146,8 @@ impl Sphere {
         let Some((chord, is_outside)) = self.chord_ahead(origin, direction) else {
             return [false; 2];
         };
-        // The entry is before the middle of the chord, the exit after it.
+        // A ray enters the sphere before the middle of the chord and leaves it after the
+        // middle.
         let rest = distance.saturating_sub(chord.middle);
         let is_past_middle = rest > Length::ZERO;
         let square = rest.square();
@@ -153,12 +157,15 @@ impl Sphere {
         ]
     }
 
-    /// Distance of the nearest hit ahead of a ray that starts elsewhere.
+    /// Returns the distance of the nearest hit, for a ray that does not start on this sphere.
     #[inline(always)]
     fn distance(&self, origin: Vec3<Length>, direction: Vec3<Unit>) -> Option<Length> {
-        /// The offset of the chord is off by at most a step and a half, and half the chord by
-        /// `sqrt(3 r)`, less than 2^15 steps. A ray whose entry is farther than twice that
-        /// starts outside.
+        /// A ray starts outside of the sphere if its entry is farther away than this distance,
+        /// 2^16 units of 2^-28.
+        ///
+        /// The offset of the chord has an error of at most 1.5 units. For a radius of r units,
+        /// half of the chord then has an error of at most `sqrt(3 r)`, which is less than 2^15
+        /// units.
         const OFF: Length = Length::from_bits(1 << 16);
         let chord = self.chord(origin, direction)?;
         if chord.middle > Length::ZERO {
@@ -170,7 +177,7 @@ impl Sphere {
         self.distance_from_nearby(&chord)
     }
 
-    /// Distance of the nearest hit ahead of a ray that may start inside the sphere.
+    /// Returns the distance of the nearest hit, for a ray that may start inside the sphere.
     #[cold]
     #[inline(never)]
     fn distance_from_nearby(&self, chord: &Chord) -> Option<Length> {
@@ -180,8 +187,8 @@ impl Sphere {
         (distance > Length::ZERO).then_some(distance)
     }
 
-    /// Length of the chord of a ray that starts on the sphere and runs through its inside.
-    /// Needs no square root.
+    /// Returns the length of the chord for a ray that starts on the sphere and runs through its
+    /// inside. The computation needs no square root.
     #[inline(always)]
     fn chord_length(&self, origin: Vec3<Length>, direction: Vec3<Unit>) -> Length {
         let to_center = self.center - origin;
@@ -248,7 +255,8 @@ impl Primitive for Sphere {
     ) -> Option<u8> {
         let direction = -segment.direction_to_light();
         let [entry, exit] = self.crosses_before(*segment.light, direction, segment.near_length());
-        // From the inside of a sphere the exit is the lit point itself.
+        // If the lit point is on the inside of this sphere, the segment leaves the sphere at
+        // the lit point itself, which is no crossing.
         let count = u8::from(entry) + u8::from(exit && !is_origin);
         observer.test(ShapeKind::Sphere, count > 0);
         Some(count)
@@ -267,7 +275,8 @@ impl Primitive for Sphere {
         };
         let half = chord.half_outlined();
         let entry = is_outside.then(|| chord.middle - half);
-        // From the inside of a sphere the exit is the lit point itself.
+        // If the lit point is on the inside of this sphere, the segment leaves the sphere at
+        // the lit point itself, which is no crossing.
         let exit = (!is_origin).then(|| chord.middle + half);
         for distance in [entry, exit].into_iter().flatten() {
             let is_ahead = distance > Length::ZERO;
@@ -303,7 +312,7 @@ mod tests {
         Vec3::new(c(), c(), c())
     }
 
-    /// Rays that start close to the surface, most of them nearly tangent.
+    /// Tests rays that start close to the surface, most of them nearly tangent to it.
     #[test]
     fn the_shortcut_for_distant_entries_changes_no_distance() {
         let random = &mut Rng::with_seed(1);
@@ -315,7 +324,7 @@ mod tests {
             let Some(up) = direction(vector(random, 1.0).map(|c| c.to_bits().into())) else {
                 continue;
             };
-            // Start 1 to 2^18 steps inside or outside of the surface.
+            // Starts the ray 1 to 2^18 units of 2^-28 inside or outside of the surface.
             let above = (1 << random.u32(..19)) * [-1, 1][random.usize(..2)];
             let origin = sphere.center + up.times(sphere.radius + Length::from_bits(above));
             let Some(other) = direction(vector(random, 1.0).map(|c| c.to_bits().into())) else {

@@ -1,9 +1,10 @@
-//! The sphereflake: every sphere is touched by twelve smaller ones (Haines 1987).
+//! The sphereflake, a fractal in which every sphere is touched by twelve smaller ones (Haines
+//! 1987).
 //!
 //! The spheres are not stored. A ray traverses the tree of spheres from the root, nearer
 //! children first, and skips subtrees whose bounding sphere it misses. Every level has its own
-//! frame and unit of length, so the smallest sphere is as exact as the largest, and memory
-//! grows with the depth only.
+//! frame and unit of length, so the smallest sphere is as exact as the largest. The traversal
+//! needs memory in proportion to the depth of the tree.
 
 pub(super) mod authored;
 mod child_frame;
@@ -30,13 +31,13 @@ use traversal::{NodeStack, PendingChildren, Query, Traversal};
 /// Tag of a sphereflake in a compiled scene.
 pub(super) const TAG: u8 = 7;
 
-/// Path of no sphere: children are numbered from 1 to 12.
+/// A path that no sphere has, because children are numbered from 1 to 12.
 const NO_PATH: NodePath = NodePath::MAX;
 
-/// The nearest hit of a ray.
+/// A hit of a ray on a sphere of the flake.
 #[derive(Clone, Copy, Debug)]
 struct FlakeHit {
-    /// Q60.
+    /// Distance from the origin of the ray, in Q60.
     distance: i64,
     path: NodePath,
     /// Outward unit normal, in the frame of the sphere.
@@ -44,7 +45,7 @@ struct FlakeHit {
 }
 
 impl FlakeHit {
-    /// Distance, rounded, at least one step.
+    /// Returns the distance of the hit, rounded, and at least 2^-28.
     fn distance(&self) -> Length {
         Length::from_bits(high(self.distance + (1 << 31)).max(1))
     }
@@ -56,8 +57,8 @@ impl Sphereflake {
         TAG
     }
 
-    /// Nearest hit of a ray before the distance `limit`. `origin` if the ray leaves a sphere
-    /// of this flake.
+    /// Returns the nearest hit of a ray before the distance `limit`. `origin` is the surface
+    /// that the ray leaves, if that is a sphere of this flake.
     fn nearest(
         &self,
         ray: &Ray,
@@ -98,8 +99,8 @@ impl Sphereflake {
         nearest
     }
 
-    /// Exit of a ray that starts on a sphere and runs through its inside: the other end of
-    /// the chord, which is the origin itself if the ray grazes the sphere.
+    /// Returns the exit of a ray that starts on a sphere and runs through its inside. The exit
+    /// is the other end of the chord, or the origin itself if the ray grazes the sphere.
     #[cold]
     fn exit(&self, ray: &Ray, path: NodePath, observer: &mut impl Observer) -> Option<FlakeHit> {
         let mut hit = None;
@@ -115,7 +116,7 @@ impl Sphereflake {
         hit
     }
 
-    /// Returns the node of the sphere at a path, given the root's.
+    /// Returns the node of the sphere at a path, given the node of the root sphere.
     #[cold]
     #[inline(never)]
     fn node_at(&self, root: &Node, path: NodePath) -> Node {
@@ -128,10 +129,12 @@ impl Sphereflake {
         node
     }
 
-    /// Visits the distances at which a ray crosses spheres, up to `t_max`, in no order, until
-    /// `visit` returns false. Returns true if the traversal stopped early.
+    /// Calls `visit` with each distance up to `t_max` at which a ray crosses a sphere, in no
+    /// particular order, until `visit` returns false. Returns true if the traversal stopped
+    /// early.
     ///
-    /// [`Query::Any`] may stop without a visit if a crossing is certain.
+    /// With [`Query::Any`], the traversal may stop without a call of `visit` if a crossing is
+    /// certain.
     fn crossings(
         &self,
         ray: &Ray,
@@ -145,7 +148,9 @@ impl Sphereflake {
         let path = origin.map_or(NO_PATH, |origin| origin.part);
         self.traverse(ray, path, t_max, query, observer, &mut |node| {
             let is_origin = node.path == path;
-            // The light is on the inside, too, or comes in at the entry.
+            // A sphere that is lit on its outside is skipped. On a sphere that is lit on its
+            // inside, only the entry of the ray counts, because the exit is the lit point
+            // itself.
             let is_left = is_origin && origin.is_some_and(|origin| !origin.is_inside);
             if is_left || !node.is_within(t_max) {
                 return t_max;
@@ -164,7 +169,7 @@ impl Sphereflake {
         })
     }
 
-    /// Outward unit normal of a hit, in the scene.
+    /// Returns the outward unit normal of a hit, in the frame of the scene.
     fn normal_of(&self, hit: &FlakeHit) -> Vec3<Unit> {
         let mut normal = hit.normal.map(Unit::to_bits);
         let generations = (32 - hit.path.leading_zeros()).div_ceil(4);
@@ -175,9 +180,10 @@ impl Sphereflake {
             .renormalized()
     }
 
-    /// Visits the spheres that the line of a ray crosses ahead of the origin, up to `t_max`,
-    /// roughly in order. Skips spheres that the query does not need. `visit` returns the new
-    /// `t_max`, or 0 to stop. Returns true if the traversal stopped early.
+    /// Calls `visit` with each sphere that the line of a ray crosses ahead of the origin and up
+    /// to `t_max`, roughly in order of distance. Skips spheres that the query does not need.
+    /// `visit` returns the new `t_max`, or 0 to stop. Returns true if the traversal stopped
+    /// early.
     #[inline(never)]
     fn traverse(
         &self,
@@ -228,7 +234,8 @@ impl Sphereflake {
 }
 
 impl Primitive for Sphereflake {
-    /// Decoding leaves a flake with invalid parameters without a radius.
+    /// Returns true if the radius is positive. Decoding sets the radius to 0 if a parameter is
+    /// invalid.
     fn is_valid(&self) -> bool {
         self.radius > 0
     }
@@ -324,7 +331,8 @@ impl Fields for Sphereflake {
             ratio,
             depth,
         };
-        // The derived constants are only defined for valid parameters.
+        // The constants of a flake that are derived from its parameters are only defined if the
+        // parameters are valid.
         *self = if params.is_valid() {
             Self::new(params)
         } else {

@@ -1,25 +1,26 @@
-//! The material at a point of an object.
+//! Textures, which select the material at each point of an object.
 
 use super::point::Point;
 use crate::archive::{Archive, Fields};
 use crate::math::{Length, Product, high};
 use crate::scene::Axis;
 
-/// Materials of a prepared object, by index.
+/// The texture of a prepared object. Materials are given by their index.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Texture {
     Uniform(u16),
     Checker(Checker),
 }
 
-/// A checkerboard over two axes.
+/// A checkerboard pattern along two axes.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Checker {
-    /// Cells per unit of length: `mantissa * 2^(exponent - 31)`. The top bit is set.
+    /// Mantissa of the number of cells per unit of length, which is
+    /// `mantissa * 2^(exponent - 31)`. The top bit is set.
     pub(crate) mantissa: u32,
     pub(crate) exponent: i8,
-    /// Position of the origin within its pair of cells along each axis, in pairs: `U0F32`.
-    /// It wraps around where the board repeats.
+    /// Position of the scene's origin within a pair of cells, along each axis. The unit is one
+    /// pair, in `U0F32`. Positions wrap around, since the board repeats with each pair.
     pub(crate) phase: [u32; 2],
     pub(crate) axes: [Axis; 2],
     pub(crate) materials: [u16; 2],
@@ -37,7 +38,7 @@ impl Texture {
         }
     }
 
-    /// Index of the material at a point.
+    /// Returns the index of the material at a point.
     #[inline(always)]
     pub(crate) fn material(&self, point: &Point) -> u16 {
         match self {
@@ -103,10 +104,11 @@ impl Checker {
         self.materials[(parity >> 31) as usize]
     }
 
-    /// Position within a pair of cells along an axis: the top bit is set in the odd cell.
+    /// Returns the position of a point within its pair of cells, along an axis. The top bit is
+    /// set in the odd cell.
     ///
-    /// Whole pairs wrap around to zero, so points in the extended range are as exact as near
-    /// ones.
+    /// Whole pairs wrap around to zero, so the position is as exact for points in the extended
+    /// range as for points in the near range (each coordinate within ±3.5).
     #[inline(always)]
     fn position(&self, axis: usize, point: &Point) -> u32 {
         let p = point.coordinates;
@@ -115,8 +117,9 @@ impl Checker {
             Axis::Y => p.y,
             Axis::Z => p.z,
         };
-        // Q28 * Q31 -> Q59, in cells. A pair is twice as long: Q60, then Q32. The mantissa
-        // less 2 fits a signed word, for which all cores have a multiply.
+        // The coordinate in Q28 times the mantissa in Q31 gives cells in Q59, which are pairs
+        // in Q60. A shift then gives Q32. The mantissa minus 2 fits a signed word, which every
+        // core can multiply; the high word adds the missing two coordinates.
         let product = coordinate.to_bits().product(self.mantissa as i32);
         let (high, low) = (
             high(product).wrapping_add(coordinate.to_bits()),

@@ -1,4 +1,4 @@
-//! Linear colors, and the products of the formats that tracing uses.
+//! Linear colors, and products of factors, weights and radiances.
 
 use long_multiply::by_17_bits;
 
@@ -42,7 +42,7 @@ impl<T> Color<T> {
 }
 
 impl Color<Real> {
-    /// Creates a gray with this value in each channel.
+    /// Creates a gray with `value` in each channel.
     pub const fn gray(value: Real) -> Self {
         Self::new(value, value, value)
     }
@@ -57,7 +57,7 @@ impl Color<Real> {
 
 /// Returns the product of two factors, rounded half up: `U1F15 * U1F15 -> U1F15`.
 ///
-/// Takes one 32-bit multiply, because factors are at most 2^15.
+/// One 32-bit multiply is enough, because a factor is at most 1, which has the bits 2^15.
 #[inline(always)]
 fn multiply(a: Factor, b: Factor) -> Factor {
     Factor::from_bits(((u32::from(a.to_bits()) * u32::from(b.to_bits()) + (1 << 14)) >> 15) as u16)
@@ -73,16 +73,17 @@ impl Color<Factor> {
         self.all(|c| c == Factor::ZERO)
     }
 
-    /// Multiplies two colors channel by channel, rounded half up.
+    /// Multiplies two colors channel by channel. The products are rounded half up.
     #[inline(always)]
     pub(crate) fn filtered(self, filter: Self) -> Self {
         self.zip(filter, multiply)
     }
 
-    /// Returns the light that a surface with these coefficients reflects:
-    /// `coefficient * intensity * light`, rounded down to 2^-29, at most 1.
+    /// Returns the light that a surface reflects, where `self` is the surface's coefficient in each
+    /// channel. The light is `coefficient * intensity * light`, rounded down to 2^-29, at most 1.
     ///
-    /// `U1F15 * U1F15 -> Q30`, `* U16F16 -> Q29`, `-> U2F30`.
+    /// The product of the two factors has Q30. The product with the intensity is cut to Q29, then
+    /// converted to `U2F30`.
     #[inline(always)]
     pub(crate) fn reflect(self, intensity: Intensity, light: Self) -> Color<Radiance> {
         self.zip(light, |coefficient, light| {
@@ -93,7 +94,7 @@ impl Color<Factor> {
 }
 
 impl Color<Weight> {
-    /// Full weight: 1 - 2^-32 in each channel, which stands for 1.
+    /// Full weight. Each channel is 1 - 2^-32, the greatest weight, which stands for 1.
     pub(crate) const ALL: Self = Self::new(Weight::MAX, Weight::MAX, Weight::MAX);
     pub(crate) const BLACK: Self = Self::new(Weight::ZERO, Weight::ZERO, Weight::ZERO);
 
@@ -103,7 +104,8 @@ impl Color<Weight> {
         self.all(|c| c == Weight::ZERO)
     }
 
-    /// Multiplies two weights channel by channel, rounded down: `U0F32 * U0F32 -> U0F32`.
+    /// Multiplies two weights channel by channel. The products are rounded down:
+    /// `U0F32 * U0F32 -> U0F32`.
     #[inline(always)]
     pub(crate) fn shared(self, share: Self) -> Self {
         self.zip(share, |weight, share| {
@@ -111,12 +113,13 @@ impl Color<Weight> {
         })
     }
 
-    /// Converts weights to factors, rounded half up: `U0F32 -> U1F15`. Full weight becomes 1.
+    /// Converts the weights to factors: `U0F32 -> U1F15`, rounded half up. A full weight becomes 1.
     pub(crate) fn narrowed(self) -> Color<Factor> {
         self.map(|c| Factor::from_bits(((c.to_bits() >> 16).wrapping_add(1) >> 1) as u16))
     }
 
-    /// Multiplies a radiance by these weights, rounded down: `U0F32 * U2F30 -> U2F30`.
+    /// Multiplies a radiance by the weights. The products are rounded down:
+    /// `U0F32 * U2F30 -> U2F30`.
     #[inline(always)]
     pub(crate) fn weigh(self, radiance: Color<Radiance>) -> Color<Radiance> {
         self.zip(radiance, |weight, radiance| {
@@ -128,13 +131,13 @@ impl Color<Weight> {
 impl Color<Radiance> {
     pub(crate) const BLACK: Self = Self::new(Radiance::ZERO, Radiance::ZERO, Radiance::ZERO);
 
-    /// Adds two radiances, saturating just below 4.
+    /// Adds two radiances. A sum of 4 or more saturates just below 4.
     #[inline(always)]
     pub(crate) fn plus(self, other: Self) -> Self {
         self.zip(other, Radiance::saturating_add)
     }
 
-    /// Multiplies each channel by 2^exponent, saturating just below 4.
+    /// Multiplies each channel by 2^exponent. A product of 4 or more saturates just below 4.
     #[inline(always)]
     pub(crate) fn brightened(self, exponent: u32) -> Self {
         self.map(|c| {

@@ -2,8 +2,8 @@ use super::color::Color;
 
 /// Computes a CRC-32 (IEEE 802.3) of bytes or pixels.
 ///
-/// A compiled scene ends with this checksum, and tests compare pictures of different targets
-/// by it.
+/// A compiled scene ends with its CRC-32. Tests compare the CRC-32 of pictures that different
+/// targets render.
 ///
 /// ```
 /// use whitted::codec::Crc32;
@@ -16,7 +16,7 @@ use super::color::Color;
 pub struct Crc32(u32);
 
 impl Crc32 {
-    /// Starts a checksum over no bytes.
+    /// Starts a checksum to which no bytes have been added.
     pub const fn new() -> Self {
         Self(u32::MAX)
     }
@@ -29,14 +29,15 @@ impl Crc32 {
         }
     }
 
-    /// Adds a pixel: red, green and blue as big-endian 16-bit words, the order of a 16-bit PNG.
+    /// Adds a pixel to the checksum: red, green and blue as big-endian 16-bit words, as in a 16-bit
+    /// PNG.
     pub fn update_pixel(&mut self, Color { r, g, b }: Color<u16>) {
         for channel in [r, g, b] {
             self.update(&channel.to_be_bytes());
         }
     }
 
-    /// Returns the checksum of all bytes added.
+    /// Returns the checksum of all bytes added so far.
     pub const fn finish(self) -> u32 {
         !self.0
     }
@@ -44,8 +45,9 @@ impl Crc32 {
 
 /// Advances the CRC register by eight bits, four bits at a time.
 ///
-/// A table of 16 words takes 64 bytes; one for eight bits at a time would take 1 KB. Inlined,
-/// the compiler would unroll the loops of all callers and take more flash.
+/// The table for four bits takes 64 bytes of flash; a table for eight bits would take 1 KB. The
+/// function is not inlined, because the compiler would then unroll the loops of all callers, which
+/// takes more flash.
 #[inline(never)]
 fn shifted(register: u32) -> u32 {
     (0..2).fold(register, |register, _| {
@@ -53,7 +55,7 @@ fn shifted(register: u32) -> u32 {
     })
 }
 
-/// CRC of each value of the four bits that leave the register.
+/// Words to XOR into the CRC register when four bits leave it, indexed by the value of those bits.
 static FOUR_BITS: [u32; 16] = {
     let mut table = [0; 16];
     let mut bits = 0;

@@ -1,6 +1,7 @@
-//! Authored numbers as text.
+//! Formatting of the numbers of a scene as decimal text.
 //!
-//! The `Display` of the `fixed` crate contains panic paths, which firmware must not link.
+//! This file replaces the `Display` implementation of the `fixed` crate, which contains panic
+//! paths. Firmware must not link panic paths.
 
 use core::fmt::{self, Display, Formatter, Write};
 
@@ -26,8 +27,9 @@ impl Display for Decimal {
 
 /// Writes the decimals of a fraction above 0, given as `U0F32`.
 fn decimals(fraction: u32, f: &mut Formatter<'_>) -> fmt::Result {
-    // `rest` is what remains to be written and `near` half a step of the number, both in
-    // steps of 2^-33. Digits end once the number written is within half a step.
+    // `rest` is the part of the fraction that remains to be written. `near` is half of 2^-32, the
+    // resolution of the fraction. Both are in units of 2^-33, and both grow by a factor of ten
+    // with each digit. Writing ends once the number written differs by less than `near`.
     const ONE: u64 = 1 << 33;
     let mut rest = u64::from(fraction) << 1;
     let mut near = 1;

@@ -5,21 +5,23 @@ use super::product::wide;
 use super::reciprocal_root::reciprocal_root;
 use super::word::shifted;
 
-/// The reciprocal square root of an integer `n = normalized * 2^(32 - 2*half_shift)`.
+/// The reciprocal square root of an integer `n`.
 ///
-/// `n` is usually the squared length of a vector, so the value scales the vector to unit
-/// length, gives its cosine to a direction, and gives the length itself.
+/// The fields represent `n` as `normalized * 2^(64 - 2*half_shift)`, with `normalized` in
+/// [1/4, 1). `n` is usually the squared length of a vector. The reciprocal root then serves to
+/// scale the vector to unit length, to compute its cosine to a direction, and to compute its
+/// length.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct InverseLength {
-    /// `n` shifted up by an even number of bits: `U0F32` in [1/4, 1).
+    /// The upper word of `n`, after a shift by an even number of bits: `U0F32` in [1/4, 1).
     pub(crate) normalized: u32,
-    /// `1/sqrt(normalized)` as `U1F31`, relative error below 2^-30.
+    /// `1/sqrt(normalized)` as `U1F31`, with a relative error below 2^-30.
     pub(crate) inverse: u32,
-    /// Half of the shift that normalized `n`: 0 to 31.
+    /// Half the number of bits by which `n` was shifted up: 0 to 31.
     pub(crate) half_shift: u32,
 }
 
-/// Computes the reciprocal square root of an integer. 0 counts as 1.
+/// Computes the reciprocal square root of an integer. An argument of 0 counts as 1.
 #[inline]
 pub(crate) fn inverse_length(square: u64) -> InverseLength {
     let (high, low) = ((square >> 32) as u32, square as u32);
@@ -35,8 +37,7 @@ pub(crate) fn inverse_length_outlined(square: u64) -> InverseLength {
     inverse_length(square)
 }
 
-/// Computes the reciprocal square root of `high:low`, at least 2^32.
-#[inline(always)]
+/// Computes the reciprocal square root of `high * 2^32 + low`. `high` must not be 0.
 fn inverse_length_of(high: u32, low: u32) -> InverseLength {
     let up = leading_zeros(high) & 30;
     let normalized = shifted(high, low, up);
@@ -47,7 +48,7 @@ fn inverse_length_of(high: u32, low: u32) -> InverseLength {
     }
 }
 
-/// Computes the reciprocal square root of a number below 2^32. 0 counts as 1.
+/// Computes the reciprocal square root of an integer below 2^32. An argument of 0 counts as 1.
 #[cold]
 #[inline(never)]
 fn inverse_length_of_word(square: u32) -> InverseLength {
@@ -59,24 +60,27 @@ fn inverse_length_of_word(square: u32) -> InverseLength {
 }
 
 impl InverseLength {
-    /// Returns the cosine between the vector with this length and a direction.
+    /// Returns the cosine between a direction and the vector whose inverse length `self` is.
     ///
-    /// `along` is the dot product of the vector and the direction, in steps of 2^-30 of the
-    /// vector's. Error below 2^-28.
-    #[inline(always)]
+    /// `along` is the dot product of the raw bits of the vector and of the direction, which
+    /// is a [`Unit`] vector. The error of the cosine is below 2^-28.
     pub(crate) fn cosine(self, along: i64) -> Unit {
-        // |scaled| < 2^30, because the length is below 2^(32 - half_shift).
+        // The length is below 2^(32 - half_shift), therefore |scaled| is below 2^30.
         let (high, low) = ((along >> 32) as i32, along as u32);
         let scaled = high << self.half_shift | ((low >> 1) >> (31 - self.half_shift)) as i32;
-        // U1F31 - 2 fits a signed word, which cores multiply in one instruction.
+        // `inverse` is from 1 to 2, as `U1F31`, and does not fit a signed word. The cast subtracts
+        // 2, so that a signed multiply can be used, which is one instruction on most cores.
+        // Doubling `scaled` adds the 2 again.
         let product = upper(scaled, self.inverse as i32);
         Unit::from_bits((scaled << 1).wrapping_add(product))
     }
 
-    /// Returns `sqrt(n)`, rounded to an integer. Relative error before rounding below 2^-29.
+    /// Returns `sqrt(n)`, rounded to an integer. Before rounding, the relative error is below
+    /// 2^-29.
     #[inline]
     pub(crate) fn length(self) -> u32 {
-        // U0F32 * U1F31 -> Q63 in [1/2, 1), times 2^(32 - half_shift)
+        // The product of `U0F32` and `U1F31` has Q63 and is in [1/2, 1). Times 2^(32 - half_shift),
+        // it is the root of `n`.
         let root = wide(self.normalized, self.inverse);
         if self.half_shift < 2 {
             let shift = 31 + self.half_shift;

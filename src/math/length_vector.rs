@@ -1,4 +1,4 @@
-//! Products and lengths of vectors in steps of 2^-28.
+//! Products and lengths of vectors whose components are [`Length`]s.
 
 use fixed::types::{I6F58, I8F56};
 
@@ -10,29 +10,30 @@ use super::vec3::Vec3;
 use super::word::round_length;
 
 impl Vec3<Length> {
-    /// Returns the dot product of two vectors, exact: `I4F28 * I4F28 -> I8F56`.
+    /// Returns the exact dot product of two vectors: `I4F28 * I4F28 -> I8F56`.
     pub(crate) fn dot(self, other: Self) -> I8F56 {
         self.x.product(other.x) + self.y.product(other.y) + self.z.product(other.z)
     }
 
-    /// Returns the component along a unit vector, exact: `I4F28 * I2F30 -> I6F58`.
+    /// Returns the exact component of the vector along a unit vector: `I4F28 * I2F30 -> I6F58`.
     ///
-    /// The length must be below 8.
+    /// The vector must be shorter than 8.
     #[inline(always)]
     pub(crate) fn along(self, direction: Vec3<Unit>) -> I6F58 {
         self.x.product(direction.x) + self.y.product(direction.y) + self.z.product(direction.z)
     }
 
-    /// Returns the squared length, exact: `I4F28^2 -> I8F56`. The length must be below 8.
+    /// Returns the exact squared length of the vector: `I4F28^2 -> I8F56`. The vector must be
+    /// shorter than 8.
     #[inline(always)]
     pub(crate) fn squared(self) -> I8F56 {
         self.x.square() + self.y.square() + self.z.square()
     }
 
-    /// Returns the cross product with a unit vector, rounded half up:
+    /// Returns the cross product of the vector and a unit vector, rounded half up:
     /// `I4F28 * I2F30 -> I4F28`.
     ///
-    /// The length must be below 8.
+    /// The vector must be shorter than 8.
     #[inline]
     pub(crate) fn cross(self, direction: Vec3<Unit>) -> Self {
         let minor = |p: Length, q: Unit, r: Length, s: Unit| {
@@ -46,10 +47,10 @@ impl Vec3<Length> {
         )
     }
 
-    /// Returns the unit vector in the same direction, each component to 2^-30, and the
-    /// inverse length.
+    /// Returns the vector scaled to unit length, and its inverse length. The components of the unit
+    /// vector have a resolution of 2^-30.
     ///
-    /// The length must be below 8. The unit vector of the zero vector is the zero vector.
+    /// The vector must be shorter than 8. The zero vector stays the zero vector.
     #[inline(always)]
     pub(crate) fn normalized(self) -> (Vec3<Unit>, InverseLength) {
         let inverse = inverse_length(self.squared().to_bits() as u64);

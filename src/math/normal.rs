@@ -1,7 +1,8 @@
-//! Components along a surface normal that may be exactly vertical, as a floor's.
+//! Components of vectors along surface normals, with a shortcut for vertical normals.
 //!
-//! The component along a vertical normal is the y coordinate. Taking the coordinate saves
-//! three products, which are calls on Armv6-M. Both forms give the same bits.
+//! The normal of a floor is exactly vertical. The component of a vector along that normal is the y
+//! coordinate of the vector, so the three products of the dot product are not needed. Each of
+//! them would be a call on Armv6-M. The shortcut gives the same bits as the products.
 
 use fixed::types::I6F58;
 use long_multiply::{IS_CALL, rounded};
@@ -10,36 +11,39 @@ use super::format::{Length, Unit};
 use super::product::Product;
 use super::vec3::Vec3;
 
-/// Returns the component of `v` along a plane's normal, rounded half up, in the steps of `v`.
+/// Returns the component of `v` along a plane's normal, rounded half up, in the unit of `v`.
 ///
-/// The length of `v` must be below 2^31 steps. Returns `v.y` without a product if the x and z
-/// of the normal are 0 and its y is positive.
+/// `v` may be in any unit, but must be shorter than 2^31 units. If the normal points straight up,
+/// the function returns `v.y` without a product.
 #[inline(always)]
 pub(crate) fn component_along(v: Vec3<i32>, normal: Vec3<Unit>) -> i32 {
     let n = normal.map(Unit::to_bits);
-    // The normal of an almost horizontal plane counts as vertical if its x and z round to 0.
+    // The normal of an almost horizontal plane also counts as vertical if its x and z are so small
+    // that they have been rounded to 0.
     if n.x | n.z == 0 && n.y > 0 {
         return v.y;
     }
     component(v, n)
 }
 
-/// Computes the component of `v` along `n`: three products and a rounding by 2^30.
+/// Returns the component of `v` along the unit normal `n`, which has Q30. Takes three products.
 #[inline(always)]
 fn component(v: Vec3<i32>, n: Vec3<i32>) -> i32 {
     rounded::<30>(v.x.product(n.x) + v.y.product(n.y) + v.z.product(n.z))
 }
 
 impl Vec3<Unit> {
-    /// Returns the cosine between a direction and a normal, rounded half up.
+    /// Returns the cosine between a direction and a surface normal, rounded half up.
     ///
-    /// `is_up` may be true only if the normal is exactly (0, 1, 0).
+    /// `is_up` may be true only if the normal is exactly (0, 1, 0). It enables a shortcut without
+    /// products.
     #[inline(always)]
     pub(crate) fn cosine_to_normal(self, normal: Self, is_up: bool) -> Unit {
         self.cosine_by::<IS_CALL>(normal, is_up)
     }
 
-    /// Computes [`cosine_to_normal`](Self::cosine_to_normal), with or without the shortcut.
+    /// Computes [`cosine_to_normal`](Self::cosine_to_normal). The shortcut for a normal that points
+    /// up is compiled only if `HAS_SHORTCUT` is true.
     #[inline(always)]
     fn cosine_by<const HAS_SHORTCUT: bool>(self, normal: Self, is_up: bool) -> Unit {
         if HAS_SHORTCUT && is_up {
@@ -51,16 +55,17 @@ impl Vec3<Unit> {
 }
 
 impl Vec3<Length> {
-    /// Returns the component along a normal, exact: `I4F28 * I2F30 -> I6F58`.
+    /// Returns the exact component of the vector along a surface normal: `I4F28 * I2F30 -> I6F58`.
     ///
-    /// `is_vertical` may be true only if the normal is exactly (0, 1, 0) or (0, -1, 0). The
-    /// length of the vector must be below 8.
+    /// `is_vertical` may be true only if the normal is exactly (0, 1, 0) or (0, -1, 0). It enables
+    /// a shortcut without products. The vector must be shorter than 8.
     #[inline(always)]
     pub(crate) fn along_normal(self, normal: Vec3<Unit>, is_vertical: bool) -> I6F58 {
         self.along_by::<IS_CALL>(normal, is_vertical)
     }
 
-    /// Computes [`along_normal`](Self::along_normal), with or without the shortcut.
+    /// Computes [`along_normal`](Self::along_normal). The shortcut for a vertical normal is
+    /// compiled only if `HAS_SHORTCUT` is true.
     #[inline(always)]
     fn along_by<const HAS_SHORTCUT: bool>(self, normal: Vec3<Unit>, is_vertical: bool) -> I6F58 {
         if HAS_SHORTCUT && is_vertical {
@@ -85,7 +90,7 @@ mod tests {
     const UP: Vec3<Unit> = Vec3::new(Unit::ZERO, Unit::ONE, Unit::ZERO);
     const CASES: u32 = if cfg!(miri) { 200 } else { 100_000 };
 
-    /// Returns components of any magnitude up to 2^30.
+    /// Returns a random vector. Its components have random magnitudes up to 2^30.
     fn vector(random: &mut Rng) -> Vec3<i32> {
         let mut c = || random.i32(-1 << 30..=1 << 30) >> random.u32(..31);
         Vec3::new(c(), c(), c())

@@ -3,9 +3,10 @@ use super::square_root::square_root;
 
 /// Returns `base^exponent` as `U1F31`.
 ///
-/// `base` is 0 to 1 as `U1F31`, `exponent` at least 1 as `U16F16`. The error is below
-/// 2^-30 * (exponent + 16). Takes one or two products for each bit of the exponent's integer
-/// part, and a square root for each bit of its fraction down to the lowest bit that is set.
+/// `base` is from 0 to 1, as `U1F31`. `exponent` is at least 1, as `U16F16`. The error is below
+/// 2^-30 * (exponent + 16). The function takes one or two products for each bit of the exponent's
+/// integer part. For the fraction, it takes one square root for each bit from the top down to the
+/// lowest bit that is set.
 #[inline(never)]
 pub(crate) fn power(base: u32, exponent: u32) -> u32 {
     let Some(mut result) = integer_power(base, exponent >> 16) else {
@@ -14,7 +15,7 @@ pub(crate) fn power(base: u32, exponent: u32) -> u32 {
     let mut root = base;
     let mut fraction = exponent << 16;
     while fraction != 0 {
-        // The square root of a number in steps of 2^-62 is in steps of 2^-31.
+        // The argument of the square root has Q62, so the root has Q31.
         root = square_root(u64::from(root) << 31);
         if fraction >> 31 == 1 {
             result = multiply(result, root);
@@ -24,8 +25,8 @@ pub(crate) fn power(base: u32, exponent: u32) -> u32 {
     result
 }
 
-/// Returns `base^exponent` as `U1F31` by repeated squaring; `None` if a square rounds to 0.
-#[inline(always)]
+/// Returns `base^exponent` as `U1F31`, by repeated squaring. `exponent` is an integer. Returns
+/// `None` if a square rounds to 0.
 fn integer_power(base: u32, mut exponent: u32) -> Option<u32> {
     const ONE: u32 = 1 << 31;
     let (mut result, mut square) = (ONE, base);
@@ -44,8 +45,7 @@ fn integer_power(base: u32, mut exponent: u32) -> Option<u32> {
     }
 }
 
-/// Returns the product, rounded half up: `U1F31 * U1F31 -> U1F31`.
-#[inline(always)]
+/// Returns the product of two numbers, rounded half up: `U1F31 * U1F31 -> U1F31`.
 fn multiply(a: u32, b: u32) -> u32 {
     ((wide(a, b) + (1 << 30)) >> 31) as u32
 }

@@ -1,7 +1,7 @@
-//! Full products of two 32-bit numbers.
+//! Exact 64-bit products of two 32-bit numbers.
 //!
-//! A product is one instruction on Armv7-M and later. On Armv6-M a product takes 19
-//! instructions with its call, and a square 10 without a call.
+//! On Armv7-M and later, such a product is one instruction. Armv6-M has no such instruction: a
+//! product is a call of 19 instructions, and a square is 10 inlined instructions.
 
 use core::ops::Add;
 
@@ -9,16 +9,15 @@ use fixed::{FixedI32, FixedI64};
 
 /// Exact multiplication of two 32-bit numbers.
 pub(crate) trait Product<Other = Self> {
-    /// 64-bit format with the fraction bits of both operands.
+    /// 64-bit format with as many fraction bits as both operands have together.
     type Output;
 
-    /// Returns `self * other`, exact.
+    /// Returns the exact product `self * other`.
     fn product(self, other: Other) -> Self::Output;
 }
 
 impl Product for i32 {
     type Output = i64;
-    #[inline(always)]
     fn product(self, other: Self) -> i64 {
         long_multiply::signed(self, other)
     }
@@ -26,7 +25,6 @@ impl Product for i32 {
 
 impl Product for u32 {
     type Output = u64;
-    #[inline(always)]
     fn product(self, other: Self) -> u64 {
         long_multiply::unsigned(self, other)
     }
@@ -34,7 +32,6 @@ impl Product for u32 {
 
 impl Product<u32> for i32 {
     type Output = i64;
-    #[inline(always)]
     fn product(self, other: u32) -> i64 {
         long_multiply::mixed(self, other)
     }
@@ -42,7 +39,6 @@ impl Product<u32> for i32 {
 
 impl<F: Add<G>, G> Product<FixedI32<G>> for FixedI32<F> {
     type Output = FixedI64<F::Output>;
-    #[inline(always)]
     fn product(self, other: FixedI32<G>) -> Self::Output {
         FixedI64::from_bits(self.to_bits().product(other.to_bits()))
     }
@@ -50,16 +46,15 @@ impl<F: Add<G>, G> Product<FixedI32<G>> for FixedI32<F> {
 
 /// Exact square of a 32-bit number.
 pub(crate) trait Square {
-    /// 64-bit format with twice the fraction bits.
+    /// 64-bit format with twice the fraction bits of the operand.
     type Output;
 
-    /// Returns `self * self`, exact. Cheaper than a product on Armv6-M.
+    /// Returns the exact square `self * self`. On Armv6-M a square is cheaper than a product.
     fn square(self) -> Self::Output;
 }
 
 impl Square for i32 {
     type Output = i64;
-    #[inline(always)]
     fn square(self) -> i64 {
         long_multiply::square(self)
     }
@@ -67,14 +62,12 @@ impl Square for i32 {
 
 impl<F: Add> Square for FixedI32<F> {
     type Output = FixedI64<F::Output>;
-    #[inline(always)]
     fn square(self) -> Self::Output {
         FixedI64::from_bits(self.to_bits().square())
     }
 }
 
-/// Returns the full product of two unsigned words, exact.
-#[inline(always)]
+/// Returns the exact 64-bit product of two unsigned 32-bit numbers.
 pub(crate) fn wide(a: u32, b: u32) -> u64 {
     a.product(b)
 }

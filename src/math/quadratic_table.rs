@@ -1,42 +1,42 @@
-//! Piecewise quadratics and the Newton step, for reciprocals and reciprocal roots.
+//! Tables of quadratics and a Newton step, which compute reciprocals and reciprocal roots.
 //!
-//! The library never divides while it traces, because the Cortex-M0+ has no divider. A
-//! table of quadratics gives a function to 2^-17, and one Newton step refines the result to
-//! 2^-30. The compiler computes the tables in integers.
+//! The library does not divide while it traces, because the Cortex-M0+ has no divider. Instead, a
+//! table of quadratics approximates the function to 2^-17, and one Newton step refines the result
+//! to 2^-30. The tables are computed at compile time, in integers.
 
 use long_multiply::by_16_bits;
 
-/// Segments for each factor of two of the argument.
+/// Number of table segments for each factor of two of the argument, for example from 1/2 to 1.
 pub(super) const SEGMENTS: usize = 32;
 
-/// Coefficients `c0, c1, c2` of `c0 + c1 x + c2 x²` over one segment, in steps of 2^-20.
+/// Coefficients `[c0, c1, c2]` in Q20. Over one segment of a table, the function is approximated by
+/// `c0 + c1 x + c2 x²`, where x runs from 0 to 1.
 pub(super) type Quadratic = [i32; 3];
 
-/// Returns the quadratic through the values at the start, middle and end of a segment.
+/// Returns the quadratic that has the given values at the start, middle and end of a segment.
 pub(super) const fn quadratic(start: u64, middle: u64, end: u64) -> Quadratic {
     let (c0, middle, end) = (start as i32, middle as i32, end as i32);
     [c0, 4 * middle - 3 * c0 - end, 2 * (c0 + end) - 4 * middle]
 }
 
-/// Limits a table value to 2 - 2^-20, so that it fits `U1F31` after a shift by 11 bits.
+/// Limits a value in Q20 to 2 - 2^-20, so that a shift by 11 bits converts it to `U1F31`.
 pub(super) const fn below_two(x: u64) -> u64 {
     if x >> 21 == 0 { x } else { (1 << 21) - 1 }
 }
 
-/// Returns the value of a quadratic in steps of 2^-20.
+/// Returns the value of a quadratic at `x`, in Q20.
 ///
-/// `x` is the position in the segment in steps of 2^-14.
-#[inline(always)]
+/// `x` is the position in the segment: 0 at its start and 1 at its end, in Q14.
 pub(super) fn evaluate([c0, c1, c2]: Quadratic, x: i32) -> u32 {
     (c0 + (((c1 + ((c2 * x) >> 14)) * x) >> 14)) as u32
 }
 
-/// Applies the Newton step `y + y * error`: returns `U1F31`.
+/// Applies the Newton step: returns `y + y * error` as `U1F31`.
 ///
-/// `y` is in steps of 2^-20 and `error` in steps of 2^-47, below 2^-15. The result never
-/// exceeds the true value, so it stays below 2.
-#[inline(always)]
+/// `y` has Q20. `error` has Q47 and is below 2^-15. The result never exceeds the true value of the
+/// function, so it stays below 2.
 pub(super) fn refined(y: u32, error: i32) -> u32 {
-    // The step is below 2^-15 of `y`, so 16 bits of `y` are enough.
+    // The Newton step changes `y` by less than 2^-15 of `y`, so the top 16 bits of `y` are enough
+    // to compute the change.
     (y << 11).wrapping_add_signed(by_16_bits(y >> 5, error))
 }

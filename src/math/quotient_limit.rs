@@ -3,12 +3,12 @@ use long_multiply::IS_CALL;
 use super::format::{Length, NEAR_LIMIT};
 use super::product::wide;
 
-/// Returns true if `2^30 n / d`, in steps of 2^-28, is `limit` or more. `d` is below 2^31.
+/// Returns true if the quotient `2^30 n / d`, in units of 2^-28, is at least `limit`. `d` must be
+/// below 2^31.
 ///
-/// Decides without a division: one product, or none for [`NEAR_LIMIT`] on Armv6-M, where a
-/// product is a call. The form without a product may return false for quotients from
-/// `NEAR_LIMIT` to less than one step above; all other results are exact.
-#[inline(always)]
+/// The comparison needs one product and no division. On Armv6-M, where a product is a call, the
+/// comparison with [`NEAR_LIMIT`] uses shifts instead. With shifts, the function may return false
+/// for quotients from `NEAR_LIMIT` to less than `NEAR_LIMIT + 2^-28`. All other results are exact.
 pub(crate) fn quotient_reaches(n: u32, d: u32, limit: Length) -> bool {
     if IS_CALL && limit == NEAR_LIMIT {
         reaches_near_limit(n, d)
@@ -17,14 +17,14 @@ pub(crate) fn quotient_reaches(n: u32, d: u32, limit: Length) -> bool {
     }
 }
 
-/// Compares `2^30 n / d` with any limit: `Q30 * Q28 -> Q58`, exact.
-#[inline(always)]
+/// Returns true if `2^30 n / d` is at least the raw bits of `limit`. The result is exact: the
+/// function compares `2^30 n` with the product of `d` and the limit.
 fn reaches(n: u32, d: u32, limit: Length) -> bool {
     u64::from(n) << 30 >= wide(d, limit.to_bits() as u32)
 }
 
-/// Compares `2^30 n / d` with 2^31 - 1024, one step above [`NEAR_LIMIT`], by shifts.
-#[inline(always)]
+/// Returns true if `2^30 n / d` is at least 2^31 - 1024. The function uses shifts instead of a
+/// product. The bound exceeds the raw bits of [`NEAR_LIMIT`] by 1.
 fn reaches_near_limit(n: u32, d: u32) -> bool {
     n >= 2 * d - (d >> 20)
 }
@@ -35,7 +35,8 @@ mod tests {
 
     use super::*;
 
-    /// Asserts that both forms agree on a quotient, except within one step of the limit.
+    /// Asserts that the comparison by shifts gives the exact result, unless the quotient is at
+    /// least [`NEAR_LIMIT`] and less than 2^-28 above it.
     fn check(n: u32, d: u32) {
         let (exact, by_shifts) = (reaches(n, d, NEAR_LIMIT), reaches_near_limit(n, d));
         if exact != by_shifts {
@@ -50,7 +51,7 @@ mod tests {
         for _ in 0..if cfg!(miri) { 200 } else { 1_000_000 } {
             let d = random.u32(1..1 << 31) >> random.u32(..31);
             check(random.u32(..1 << 31) >> random.u32(..31), d);
-            // Numerators around the threshold, where the forms may differ.
+            // Checks numerators around the threshold, where the two comparisons may differ.
             let threshold = 2 * u64::from(d) - ((u64::from(d) * 1025) >> 30);
             for n in threshold.saturating_sub(4)..=threshold + 4 {
                 if let Ok(n) = u32::try_from(n) {

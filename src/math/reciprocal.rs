@@ -2,12 +2,13 @@ use long_multiply::middle;
 
 use super::quadratic_table::{Quadratic, SEGMENTS, below_two, evaluate, quadratic, refined};
 
-/// Returns 1/x in steps of 2^-20, for `x` in steps of 2^-10. Evaluated at compile time.
+/// Returns 1/x in Q20, for `x` in Q10. The function runs at compile time.
 const fn reciprocal_at(x: u64) -> u64 {
     below_two(((1 << 31) / x).div_ceil(2))
 }
 
-/// Quadratics of 1/x over [1/2, 1), indexed by the five bits below the top bit: 384 bytes.
+/// Quadratics that approximate 1/x for x in [1/2, 1). The index is the five bits of x below its top
+/// bit. The table takes 384 bytes.
 static RECIPROCAL: [Quadratic; SEGMENTS] = {
     let mut table = [[0; 3]; SEGMENTS];
     let mut i = 0;
@@ -23,17 +24,18 @@ static RECIPROCAL: [Quadratic; SEGMENTS] = {
     table
 };
 
-/// Returns 1/x as `U1F31`, in (1, 2], for `x` in [1/2, 1) as `U0F32`.
+/// Returns 1/x as `U1F31`, where `x` is a `U0F32` from 1/2 to 1.
 ///
-/// Relative error below 2^-30. The top bit of `x` must be set.
+/// The relative error is below 2^-30. The top bit of `x` must be set.
 #[inline]
 pub(crate) fn reciprocal(x: u32) -> u32 {
     debug_assert!(x >> 31 == 1);
     let segment = RECIPROCAL[(x >> 26) as usize & (SEGMENTS - 1)];
     let y = evaluate(segment, (x >> 12) as i32 & 0x3fff);
-    // e = 1 - x*y: U0F32 * U1F31 -> Q63; |e| < 2^-16 leaves 47 significant bits.
+    // `error` is 1 - x*y. The product of `U0F32` and `U1F31` has Q63. Because the error is below
+    // 2^-16, the top 16 bits are not needed, and the middle 32 bits hold the error in Q47.
     let error = !middle(x, y << 11) as i32;
-    // y + y*e: U1F31 * Q47 -> U1F31
+    // Returns y + y * error.
     refined(y, error)
 }
 

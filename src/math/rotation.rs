@@ -1,9 +1,9 @@
-//! Rotations as sine and cosine. This file holds the only floats of the library.
+//! Rotations, stored as the sine and cosine of their angles. Only this file uses floats.
 //!
-//! The sine and cosine of micromath are parabolas with an error of up to 0.002 radians. They
-//! consist of `f32` sums, products and conversions, which IEEE 754 defines to the last bit,
-//! so every target computes the same bits. The pair is then scaled to unit length in fixed
-//! point, so a rotation keeps lengths.
+//! The `micromath` crate approximates sine and cosine by parabolas, which shift the angle by up to
+//! 0.002 radians. The parabolas consist of `f32` sums, products and conversions. IEEE 754 defines
+//! these operations to the last bit, so every target computes the same bits. The sine and cosine
+//! are then scaled in fixed point so that their squares add up to 1: a rotation keeps lengths.
 
 use micromath::F32Ext;
 
@@ -13,7 +13,7 @@ use super::unit_vector::direction;
 use super::vec3::Vec3;
 use super::word::round_unit;
 
-/// A rotation in a plane, as the cosine and sine of its angle.
+/// A rotation in a plane, stored as the cosine and sine of its angle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Rotation {
     pub(crate) cos: Unit,
@@ -30,7 +30,7 @@ impl Rotation {
     /// Creates a rotation by any angle in degrees.
     ///
     /// Multiples of 90 degrees are exact. Other angles have an error of up to 0.11 degrees.
-    /// `sqrt(cos² + sin²)` is 1 to 2^-29.
+    /// `sqrt(cos² + sin²)` differs from 1 by less than 2^-29.
     pub(crate) fn by(degrees: Real) -> Self {
         const FULL: i64 = 360 << 32;
         const QUARTER: i64 = FULL / 4;
@@ -54,7 +54,7 @@ impl Rotation {
         }
     }
 
-    /// Creates a rotation by -45 to 45 degrees. `angle` is in steps of 2^-32 degrees.
+    /// Creates a rotation by an angle from -45 to 45 degrees. `angle` is in degrees, with Q32.
     fn by_less(angle: i64) -> Self {
         #![allow(clippy::float_arithmetic, reason = "the library's only floats")]
         const RADIAN: f32 = core::f32::consts::PI / 180.0 / (1_u64 << 32) as f32;
@@ -68,7 +68,8 @@ impl Rotation {
         })
     }
 
-    /// Adds the angles of two rotations. Sine and cosine are rounded half up: `Q60 -> Q30`.
+    /// Returns the rotation by the sum of both angles. Its sine and cosine are computed in Q60 and
+    /// rounded half up to Q30.
     pub(crate) fn then(self, next: Self) -> Self {
         let cos = self.cos.product(next.cos) - self.sin.product(next.sin);
         let sin = self.sin.product(next.cos) + self.cos.product(next.sin);
@@ -99,7 +100,7 @@ mod tests {
 
     #[test]
     fn angles_and_lengths_are_within_their_bounds() {
-        // Miri takes a thousand times as long for each.
+        // Miri runs this test a thousand times slower, so it checks fewer angles.
         for tenths in (-7200..7200).step_by(if cfg!(miri) { 97 } else { 1 }) {
             let degrees = f64::from(tenths) / 10.0;
             let turn = Rotation::by(Real::from_num(degrees));

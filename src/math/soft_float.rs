@@ -3,10 +3,9 @@ use super::product::wide;
 use super::reciprocal::reciprocal;
 use super::word::shifted_up;
 
-/// A number `mantissa * 2^exponent`, not negative.
+/// A floating-point number of at least 0: `mantissa * 2^exponent`.
 ///
-/// As long as the top bit of each mantissa is set, comparing two of them compares their
-/// values.
+/// Comparing two `SoftFloat`s compares their values only if the top bit of each mantissa is set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct SoftFloat {
     pub(crate) exponent: i32,
@@ -20,9 +19,10 @@ impl SoftFloat {
         exponent: -64,
     };
 
-    /// Converts a distance of at least 0, without setting the top bit of the mantissa.
+    /// Converts a distance of at least 0, without normalizing the mantissa.
     ///
-    /// The result must not be compared with other numbers.
+    /// The result must not be compared with other `SoftFloat`s, because the top bit of its mantissa
+    /// is not set.
     pub(crate) fn unordered(distance: Length) -> Self {
         Self {
             mantissa: distance.to_bits() as u32,
@@ -30,8 +30,8 @@ impl SoftFloat {
         }
     }
 
-    /// Returns the number, in steps of 2^-28, as a distance below [`NEAR_LIMIT`], rounded half
-    /// up; `None` if the number is not below.
+    /// Converts a number in units of 2^-28 to a distance, rounded half up. Returns `None` if the
+    /// distance is not below [`NEAR_LIMIT`].
     #[inline]
     pub(crate) fn near(self) -> Option<Length> {
         let shift = self.exponent.checked_neg()?.checked_sub(1)?;
@@ -53,22 +53,24 @@ impl SoftFloat {
     }
 }
 
-/// Returns `2^30 n / d` for `n` and `d` above 0. Relative error below 2^-29.
+/// Returns `2^30 n / d` for `n` and `d` above 0. The relative error is below 2^-29.
 ///
-/// The quotient of Q58 by Q60, of Q56 by Q58 or of Q28 by Q30 is in steps of 2^-28.
+/// If `d` has two more fraction bits than `n`, for example Q60 and Q58, the quotient has Q28.
 #[inline]
 pub(crate) fn quotient(n: u64, d: u64) -> SoftFloat {
     let ((n, n_shift), (d, d_shift)) = (shifted_up(n), shifted_up(d));
     let (mantissa, last) = shifted_up(wide(n, reciprocal(d | 1 << 31)));
-    // n = mantissa * 2^(32 - n_shift), 1/d = reciprocal * 2^(d_shift - 95), and
-    // product = mantissa of the quotient * 2^(32 - last).
+    // The exponent adds up these shifts: the numerator is n * 2^(32 - n_shift), the reciprocal of
+    // the divisor is reciprocal * 2^(d_shift - 95), and the product of n and the reciprocal is
+    // mantissa * 2^(32 - last).
     SoftFloat {
         mantissa,
         exponent: d_shift as i32 - n_shift as i32 - last as i32 - 1,
     }
 }
 
-/// Returns `a b / 2^(64 - shift)`, rounded down. Relative error before rounding below 2^-30.
+/// Returns `a * b / 2^(64 - shift)`, rounded down. Before rounding, the relative error is below
+/// 2^-30.
 #[inline(never)]
 pub(crate) fn upper_product(a: u64, b: u64, shift: u32) -> u64 {
     let ((a, a_shift), (b, b_shift)) = (shifted_up(a), shifted_up(b));

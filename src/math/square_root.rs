@@ -1,8 +1,8 @@
 use super::inverse_length::inverse_length_outlined;
 
-/// Returns `sqrt(x)`, rounded to an integer. Relative error before rounding below 2^-29.
+/// Returns `sqrt(x)`, rounded to an integer. Before rounding, the relative error is below 2^-29.
 ///
-/// The root of a square in steps of 2^-2k is in steps of 2^-k.
+/// The root has half as many fraction bits as `x`: if `x` has Q56, the root has Q28.
 #[inline(never)]
 pub(crate) fn square_root(x: u64) -> u32 {
     if x == 0 {

@@ -4,10 +4,10 @@ use super::format::Real;
 use super::product::wide;
 use super::reciprocal::reciprocal;
 
-/// 1 in Q60.
+/// The number 1 in Q60.
 const ONE: i64 = 1 << 60;
 
-/// Returns the product, rounded down: `Q60 * Q60 -> Q60`.
+/// Returns the product of two numbers in Q60, rounded down to Q60.
 #[inline(never)]
 fn multiply(a: i64, b: i64) -> i64 {
     ((i128::from(a) * i128::from(b)) >> 60) as i64
@@ -15,14 +15,14 @@ fn multiply(a: i64, b: i64) -> i64 {
 
 /// Returns tan(degrees / 2) as `U4F28`, for an angle of 1 to 170 degrees.
 ///
-/// Sums twelve terms of the Taylor series of sine and cosine, to 2^-55. The quotient has an
-/// error below 2^-27 * (1 + tangent).
+/// The sine and cosine are sums of twelve terms of their Taylor series, with errors below 2^-55.
+/// Their quotient, the tangent, has an error below 2^-27 * (1 + tangent).
 pub(crate) fn tangent_of_half(degrees: Real) -> u32 {
     const PI_BY_360: i64 = ((fixed::consts::PI.to_bits() / 360) >> 66) as i64;
-    // Q32 * Q60 -> Q60
+    // Half the angle in radians: the product of Q32 and Q60 is shifted down to Q60.
     let x = ((i128::from(degrees.to_bits()) * i128::from(PI_BY_360)) >> 32) as i64;
     let square = multiply(x, x);
-    // 1 - x²/(k(k+1)) (1 - x²/((k+2)(k+3)) (1 - ...)), where k = first
+    // Evaluates 1 - x²/(k(k+1)) (1 - x²/((k+2)(k+3)) (1 - ...)), where k = first.
     let series = |first: i64| {
         (0..12)
             .rev()
@@ -32,7 +32,8 @@ pub(crate) fn tangent_of_half(degrees: Real) -> u32 {
     let (sine, cosine) = (multiply(x, series(2)), series(1));
     let shift = cosine.leading_zeros();
     let inverse = reciprocal((((cosine as u64) << shift) >> 32) as u32);
-    // Q60 -> Q31, * U1F31 * 2^(shift - 4) -> Q28
+    // The sine is shifted from Q60 to Q31. Its product with the reciprocal, a `U1F31`, is scaled by
+    // 2^(shift - 4), because the cosine was shifted up, and rounded to Q28.
     let product = wide((sine >> 29) as u32, inverse);
     (((product >> (37 - shift)) + 1) >> 1) as u32
 }

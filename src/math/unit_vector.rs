@@ -1,4 +1,4 @@
-//! Unit vectors: products in steps of 2^-30, and normalization.
+//! Products and normalization of vectors whose components are [`Unit`]s.
 
 use fixed::types::I4F60;
 use long_multiply::rounded;
@@ -11,13 +11,12 @@ use super::vec3::Vec3;
 use super::word::{bits, round_unit};
 
 impl Vec3<Unit> {
-    /// Returns the dot product of two directions, exact: `I2F30^2 -> I4F60`.
-    #[inline(always)]
+    /// Returns the exact dot product of two directions: `I2F30 * I2F30 -> I4F60`.
     pub(crate) fn dot(self, other: Self) -> I4F60 {
         self.x.product(other.x) + self.y.product(other.y) + self.z.product(other.z)
     }
 
-    /// Returns the cross product of two directions, exact: `I2F30^2 -> I4F60`, as bits.
+    /// Returns the exact cross product of two directions, as the raw bits of `I4F60` numbers.
     pub(crate) fn cross(self, other: Self) -> Vec3<i64> {
         let minor = |p: Unit, q: Unit, r: Unit, s: Unit| (p.product(q) - r.product(s)).to_bits();
         Vec3::new(
@@ -27,27 +26,24 @@ impl Vec3<Unit> {
         )
     }
 
-    /// Returns the squared length, exact: `I2F30^2 -> I4F60`.
-    #[inline(always)]
+    /// Returns the exact squared length of the vector: `I2F30 * I2F30 -> I4F60`.
     fn squared(self) -> I4F60 {
         self.x.square() + self.y.square() + self.z.square()
     }
 
-    /// Returns the cosine between two unit vectors, rounded half up: `I2F30^2 -> I2F30`.
-    #[inline(always)]
+    /// Returns the cosine between two unit vectors, rounded half up: `I2F30 * I2F30 -> I2F30`.
     pub(crate) fn cosine(self, other: Self) -> Unit {
         round_unit::<30>(self.dot(other).to_bits())
     }
 
-    /// Returns the vector `distance` long in this direction, rounded half up:
+    /// Multiplies a unit vector by a distance. The components are rounded half up:
     /// `I2F30 * I4F28 -> I4F28`.
-    #[inline(always)]
     pub(crate) fn times(self, distance: Length) -> Vec3<Length> {
         scaled::<30>(self.map(Unit::to_bits), distance.to_bits()).map(Length::from_bits)
     }
 
-    /// Scales a vector shorter than 2 to unit length, each component to 2^-30.
-    #[inline(always)]
+    /// Scales a vector to unit length. The vector must be shorter than 2. The components of the
+    /// result have a resolution of 2^-30.
     pub(crate) fn unit(self) -> Self {
         let inverse = inverse_length(self.squared().to_bits() as u64);
         normalize(self.map(Unit::to_bits), inverse)
@@ -60,16 +56,18 @@ impl Vec3<Unit> {
         normalize(self.map(Unit::to_bits), inverse)
     }
 
-    /// Restores unit length by one Newton step, n (3 - n²) / 2.
+    /// Scales an almost normalized vector n to unit length by one Newton step, n (3 - n²) / 2.
     ///
-    /// Needs no square root. A length within 2^-16 of 1 becomes 1 except for rounding.
+    /// The step needs no square root. If the length of n is within 2^-16 of 1, the length of the
+    /// result is 1 except for rounding errors.
     #[inline]
     pub(crate) fn renormalized(self) -> Self {
-        // Q60 -> Q30: `excess` has few significant bits.
+        // The squared length is rounded from Q60 to Q30. `excess`, its difference to 1, is small.
         let square = rounded::<30>(self.squared().to_bits());
         let excess = (1_i32 << 30).wrapping_sub(square);
         self.map(|c| {
-            // Q14 * Q30 -> Q44, halved -> Q30
+            // The component has Q14 after the shift, and its product with `excess` has Q44. A
+            // shift by 15 bits halves the product and converts it to Q30.
             let step = (c.to_bits() >> 16)
                 .wrapping_mul(excess)
                 .wrapping_add(1 << 14)
@@ -79,15 +77,17 @@ impl Vec3<Unit> {
     }
 }
 
-/// Returns the unit vector in the direction of a vector of any step, shorter than 2^63 steps.
+/// Returns the unit vector in the direction of `v`. `v` may be in any unit, but must be shorter
+/// than 2^63 units.
 ///
-/// Returns `None` if every component is below 2^10 steps.
+/// Returns `None` if the magnitude of every component is below 2^10.
 pub(crate) fn direction(v: Vec3<i64>) -> Option<Vec3<Unit>> {
     let most = bits(v.x).max(bits(v.y)).max(bits(v.z));
     if most <= 10 {
         return None;
     }
-    // Shifts the largest component to 30 bits. Rounding carries at most one bit.
+    // Shifts the vector so that its largest component has 30 bits. Rounding may carry into one more
+    // bit.
     let v = if most <= 30 {
         v.map(|c| (c << (30 - most)) as i32)
     } else {

@@ -20,19 +20,16 @@ impl<T> Vec3<T> {
     }
 
     /// Applies `f` to each component.
-    #[inline(always)]
     pub(crate) fn map<U>(self, f: impl Fn(T) -> U) -> Vec3<U> {
         Vec3::new(f(self.x), f(self.y), f(self.z))
     }
 
     /// Returns true if `f` holds for all three components.
-    #[inline(always)]
     pub(crate) fn all(self, f: impl Fn(T) -> bool) -> bool {
         f(self.x) && f(self.y) && f(self.z)
     }
 
     /// Combines two vectors component by component.
-    #[inline(always)]
     pub(crate) fn zip<U, V>(self, other: Vec3<U>, f: impl Fn(T, U) -> V) -> Vec3<V> {
         Vec3::new(f(self.x, other.x), f(self.y, other.y), f(self.z, other.z))
     }
@@ -49,7 +46,6 @@ impl Vec3<Real> {
 
 impl<T: Add<Output = T>> Add for Vec3<T> {
     type Output = Self;
-    #[inline(always)]
     fn add(self, other: Self) -> Self {
         self.zip(other, T::add)
     }
@@ -57,7 +53,6 @@ impl<T: Add<Output = T>> Add for Vec3<T> {
 
 impl<T: Sub<Output = T>> Sub for Vec3<T> {
     type Output = Self;
-    #[inline(always)]
     fn sub(self, other: Self) -> Self {
         self.zip(other, T::sub)
     }
@@ -65,7 +60,6 @@ impl<T: Sub<Output = T>> Sub for Vec3<T> {
 
 impl<T: Neg<Output = T>> Neg for Vec3<T> {
     type Output = Self;
-    #[inline(always)]
     fn neg(self) -> Self {
         self.map(T::neg)
     }

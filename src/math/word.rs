@@ -1,23 +1,23 @@
-//! Shifts and rounding that turn 64-bit numbers into words.
+//! Shifts and rounding that convert 64-bit numbers to 32-bit words.
 //!
-//! A 64-bit shift by a variable amount is a library call on Armv6-M, so the functions here
-//! shift the two words separately.
+//! On Armv6-M, a 64-bit shift by a variable amount is a library call. The functions of this file
+//! avoid the call: they shift the upper and the lower word separately.
 
 use long_multiply::{leading_zeros, rounded};
 
 use super::format::{Length, Unit};
 use super::product::Product;
 
-/// Returns the upper word of `high:low << up`, where `up` is 0 to 31.
-#[inline(always)]
+/// Shifts the 64-bit number `high * 2^32 + low` up and returns the upper word of the result. `up`
+/// must be from 0 to 31.
 pub(super) fn shifted(high: u32, low: u32, up: u32) -> u32 {
     high << up | (low >> 1) >> (31 - up)
 }
 
-/// Normalizes a number above 0.
+/// Normalizes a number `x` above 0 so that its top bit is set.
 ///
-/// Returns the upper word of `x << shift` and `shift`, the count of leading zeros of `x`.
-#[inline(always)]
+/// Returns the upper word of `x << shift`, and `shift`, which is the number of leading zeros of
+/// `x`.
 pub(super) fn shifted_up(x: u64) -> (u32, u32) {
     let (mut high, mut low, mut shift) = ((x >> 32) as u32, x as u32, 0);
     if high == 0 {
@@ -27,41 +27,37 @@ pub(super) fn shifted_up(x: u64) -> (u32, u32) {
     (shifted(high, low, up), shift + up)
 }
 
-/// Returns `low`, or 1 for 0.
+/// Returns the lower word of a number below 2^32, or 1 if the word is 0.
 ///
-/// Numbers below 2^32 are rare. A branch around this call costs less than counting the
-/// leading zeros of two words every time.
+/// Such small numbers are rare. A branch to this function, which is not inlined, costs less than
+/// counting the leading zeros of two words for every number.
 #[cold]
 #[inline(never)]
 fn at_least_one(low: u32) -> u32 {
     low.max(1)
 }
 
-/// Returns the number of bits of `|x|`: 0 for 0, 64 for -2^63.
+/// Returns the number of bits of `|x|` without leading zeros: 0 for 0, 64 for -2^63.
 pub(crate) fn bits(x: i64) -> i32 {
     64 - x.unsigned_abs().leading_zeros() as i32
 }
 
-/// Returns the upper word of a product: `bits / 2^32`, rounded down.
-#[inline(always)]
+/// Returns the upper word of a 64-bit number: `bits / 2^32`, rounded down.
 pub(crate) fn high(bits: i64) -> i32 {
     (bits >> 32) as i32
 }
 
-/// Returns the upper word of a product of two words.
-#[inline(always)]
+/// Returns the upper word of the 64-bit product of two words.
 pub(crate) fn upper_word(a: i32, b: i32) -> i32 {
     high(a.product(b))
 }
 
-/// Returns `bits / 2^SHIFT` in steps of a [`Unit`], rounded half up.
-#[inline(always)]
+/// Rounds `bits / 2^SHIFT` half up and returns it as the raw bits of a [`Unit`].
 pub(crate) fn round_unit<const SHIFT: u32>(bits: i64) -> Unit {
     Unit::from_bits(rounded::<SHIFT>(bits))
 }
 
-/// Returns `bits / 2^SHIFT` in steps of a [`Length`], rounded half up.
-#[inline(always)]
+/// Rounds `bits / 2^SHIFT` half up and returns it as the raw bits of a [`Length`].
 pub(crate) fn round_length<const SHIFT: u32>(bits: i64) -> Length {
     Length::from_bits(rounded::<SHIFT>(bits))
 }

@@ -1,7 +1,7 @@
 use crate::math::{Color, Real};
 use crate::observer::{Observer, RayKind, RayNode, ShapeKind};
 
-/// Forwards every callback to two observers.
+/// An observer that forwards every callback to two other observers.
 pub(crate) struct Pair<'o, A, B>(pub(crate) &'o mut A, pub(crate) &'o mut B);
 
 impl<A: Observer, B: Observer> Observer for Pair<'_, A, B> {

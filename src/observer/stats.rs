@@ -1,6 +1,6 @@
 use crate::observer::{Observer, RayKind, ShapeKind};
 
-/// Counts rays by kind, and intersection tests.
+/// Counts rays by their kind, and counts intersection tests.
 ///
 /// ```
 /// use embedded_graphics::prelude::*;
@@ -47,7 +47,7 @@ impl Observer for Stats {
     }
 }
 
-/// Counts rays of all kinds.
+/// Counts rays of all kinds together.
 #[derive(Default)]
 pub(crate) struct RayCounter(pub(crate) u32);
 

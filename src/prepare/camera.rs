@@ -13,7 +13,7 @@ fn error(field: &'static str, problem: SceneProblem) -> SceneError {
     }
 }
 
-/// Prepares the camera of a scene.
+/// Validates the camera of a scene and prepares it.
 pub(super) fn camera(
     camera: &scene::Camera,
     normalization: &Normalization,
@@ -24,7 +24,8 @@ pub(super) fn camera(
     let up = direction(camera.up.map(Real::to_bits));
     let up = up.ok_or(error("up", SceneProblem::NoDirection))?;
     let right = forward.cross(up);
-    // The sine of the angle between both, in 2^-60.
+    // The length of `right` is the sine of the angle between the view direction and `up`, in
+    // units of 2^-60.
     if right.x.abs().max(right.y.abs()).max(right.z.abs()) < 1 << 44 {
         return Err(error("up", SceneProblem::AlongView));
     }
@@ -39,7 +40,7 @@ pub(super) fn camera(
     })
 }
 
-/// Prepares another camera for a scene that is already prepared.
+/// Prepares a new camera for a scene that is already prepared.
 pub(crate) fn moved_camera(
     camera: &scene::Camera,
     normalization: &Normalization,

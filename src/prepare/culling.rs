@@ -1,8 +1,8 @@
-//! Data that rejects most objects before a ray is tested against them.
+//! Computes the bounds that exclude most objects before a ray is tested against them.
 //!
-//! All shadow rays of a light start at one point, and most rays miss most objects, so the
-//! bounds that reject them are computed once per scene. Camera rays are culled per scanline
-//! instead, so that the camera may move.
+//! Most rays miss most objects. All shadow rays of a light start at one point, so bounds for
+//! these rays are computed once per scene. Bounds for camera rays are computed for each
+//! scanline instead, so that the camera may move.
 
 mod groups;
 mod isolation;

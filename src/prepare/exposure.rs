@@ -2,17 +2,19 @@ use crate::math::{Color, Real};
 use crate::scene;
 use crate::scene::{Background, Scene};
 
-/// Returns `ka * ia`.
+/// Returns the reflected ambient light of a material: `ka * ia`.
 pub(super) fn ambient(material: &scene::Material, scene: &Scene<'_>) -> Color<Real> {
     material
         .ka
         .zip(scene.ambient, |ka, ia| ka.saturating_mul(ia))
 }
 
-/// Exponent of the power of two that divides all light of a scene, so that lights and
-/// background fit 0 to 1, and the radiance of one hit stays below 4.
+/// Returns the exponent of the power of two by which all light of a scene is divided. After the
+/// division, lights and background are within 0 to 1, and the radiance of a surface without
+/// secondary rays is below 4.
 pub(super) fn exposure(scene: &Scene<'_>) -> u8 {
-    /// A little below 4, which leaves room for roundings.
+    /// Greatest radiance of a surface. The value is a little below 4 to leave room for
+    /// rounding.
     const MOST: Real = Real::lit("3.99");
     let mut exponent = 0;
     let mut fit = |color: Color<Real>, white: Real| {

@@ -3,16 +3,18 @@ use crate::archive::{Archive, Fields};
 use crate::geometry::{SurfaceFlags, valid};
 use crate::math::{Color, Factor, Length, Vec3};
 
-/// A point light: 28 bytes.
+/// A prepared point light, which takes 28 bytes.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Light {
     pub(crate) position: Vec3<Length>,
     pub(crate) diffuse: Color<Factor>,
     pub(crate) specular: Color<Factor>,
-    /// True if an unbounded object may occlude a bounded one from this light. Derived.
+    /// True if an unbounded object may occlude a bounded one from this light. The field is
+    /// derived, so compiled scenes do not store it.
     pub(crate) is_occluded_by_planes: bool,
-    /// Flag of objects that nothing can occlude from this light; empty from the ninth light
-    /// on. Derived.
+    /// Flag that an object has if nothing can occlude it from this light. From the ninth light
+    /// on, no flag is left and this set is empty. The flag is derived, so compiled scenes do
+    /// not store it.
     pub(crate) unoccluded: SurfaceFlags,
 }
 
@@ -27,7 +29,7 @@ impl Light {
         }
     }
 
-    /// Returns true if every field is in the range that tracing relies on.
+    /// Returns true if every field is within the range that tracing relies on.
     #[inline(never)]
     pub(crate) fn is_valid(&self) -> bool {
         valid::is_within_one(&self.position) && valid::are_factors([self.diffuse, self.specular])

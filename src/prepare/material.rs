@@ -7,23 +7,25 @@ use crate::math::{
 use crate::scene::{Scene, SpecularModel};
 use crate::{archive, scene};
 
-/// A material: 68 bytes.
+/// A prepared material, which takes 68 bytes.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Material {
-    /// `le + ka * ia`: the radiance that does not depend on lights.
+    /// Radiance that does not depend on lights: `le + ka * ia`.
     pub(crate) emitted: Color<Radiance>,
     pub(crate) kd: Color<Factor>,
     pub(crate) ks: Color<Factor>,
     pub(crate) kr: Color<Weight>,
     pub(crate) kt: Color<Weight>,
-    /// `U16F16`, 1 to 4096.
+    /// Exponent of the highlight as `U16F16`, from 1 to 4096.
     pub(crate) shininess: u32,
-    /// True if rays are reflected or transmitted. Derived.
+    /// True if the material reflects or transmits rays. The field is derived, so compiled
+    /// scenes do not store it.
     pub(crate) is_specular: bool,
-    /// Least cosine of a visible highlight, `U1F31`; above 1 if no highlight is visible.
-    /// Derived.
+    /// Smallest cosine at which a highlight is visible, as `U1F31`. The value is above 1 if the
+    /// material has no visible highlight. The field is derived, so compiled scenes do not store
+    /// it.
     pub(crate) min_highlight_cosine: u32,
-    /// Index of refraction, 1 to 4.
+    /// Index of refraction, from 1 to 4.
     pub(crate) ior: Length,
     /// Reciprocal of the index of refraction.
     pub(crate) inverse_ior: Length,
@@ -32,7 +34,7 @@ pub(crate) struct Material {
 }
 
 impl Material {
-    /// A material that reflects nothing.
+    /// A black material, which reflects nothing.
     pub(crate) const BLACK: Self = Self {
         emitted: Color::<Radiance>::BLACK,
         kd: Color::<Factor>::BLACK,
@@ -54,7 +56,8 @@ impl Material {
             radiance(le + ambient, exposure)
         });
         let model = material.shading.unwrap_or(scene.shading);
-        // A number that is not used is not validated either, and may have any value.
+        // A number that the material does not use is not validated and may have any value, so
+        // it is replaced by 1.
         let used = |value, color| match color == Color::gray(Real::ZERO) {
             true => Real::ONE,
             false => value,
@@ -63,7 +66,8 @@ impl Material {
         let ior = used(material.ior, material.kt);
         let shift = ior.to_bits().leading_zeros();
         let inverse = u64::from(reciprocal((((ior.to_bits() as u64) << shift) >> 32) as u32));
-        // U1F31 * 2^(shift - 32) -> Q28
+        // Converts the reciprocal of the index of refraction to Q28. Before, it is U1F31 times
+        // 2^(shift - 32).
         let inverse = ((inverse << shift) + (1 << 34)) >> 35;
         Self {
             emitted,
@@ -80,7 +84,7 @@ impl Material {
         .with_derived_fields()
     }
 
-    /// Computes the derived fields.
+    /// Returns the material with its derived fields computed.
     pub(crate) fn with_derived_fields(self) -> Self {
         Self {
             is_specular: !self.kr.is_black() || !self.kt.is_black(),
@@ -93,8 +97,7 @@ impl Material {
         }
     }
 
-    /// Returns true if every field is in the range that tracing relies on.
-    #[inline(never)]
+    /// Returns true if every field is within the range that tracing relies on.
     pub(crate) fn is_valid(&self) -> bool {
         valid::are_factors([self.kd, self.ks])
             && (1 << 16..=4096 << 16).contains(&self.shininess)
@@ -104,7 +107,6 @@ impl Material {
 }
 
 impl Fields for Material {
-    #[inline(never)]
     fn visit(&mut self, archive: &mut impl Archive) {
         archive::color(&mut self.emitted, archive);
         archive::color(&mut self.kd, archive);
@@ -120,10 +122,12 @@ impl Fields for Material {
     }
 }
 
-/// Least base, `U1F31`, whose power with an exponent from 1, `U16F16`, is at least half a step
-/// of a [`Factor`]; or one step less.
+/// Returns the smallest cosine at which a highlight with this exponent is visible. A highlight
+/// is visible if the cosine, raised to the exponent, is at least half a unit of a [`Factor`].
+/// The cosine is `U1F31`, the exponent is `U16F16` and at least 1. The result may be one unit
+/// too small.
 fn min_highlight_cosine(exponent: u32) -> u32 {
-    // The fraction of the exponent would only raise the base.
+    // The fraction of the exponent is ignored. It could only raise the smallest visible cosine.
     let is_invisible = |base| power(base, exponent >> 16 << 16) < 1 << 15;
     let (mut invisible, mut visible) = (0, 1 << 31);
     while visible - invisible > 1 {

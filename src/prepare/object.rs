@@ -1,17 +1,18 @@
 use crate::archive::{Archive, Fields};
 use crate::geometry::{Plane, Shape, SurfaceFlags, Texture};
 
-/// A shape and its texture: 112 bytes.
+/// A prepared shape and its texture, which take 112 bytes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Object {
     pub(crate) shape: Shape,
     pub(crate) texture: Texture,
-    /// Flags of the shape, and flags found by culling. Derived.
+    /// Flags of the shape, and flags that culling sets. The field is derived, so compiled
+    /// scenes do not store it.
     pub(crate) flags: SurfaceFlags,
 }
 
 impl Object {
-    /// A placeholder that no ray hits.
+    /// A placeholder object that no ray can hit.
     pub(crate) const NONE: Self = Self {
         shape: Shape::Plane(Plane::NONE),
         texture: Texture::Uniform(0),
@@ -27,15 +28,13 @@ impl Object {
         }
     }
 
-    /// Returns true if every field is in the range that tracing relies on.
-    #[inline(never)]
+    /// Returns true if every field is within the range that tracing relies on.
     pub(crate) fn is_valid(&self, materials: u16) -> bool {
         self.shape.is_valid() && self.texture.is_valid(materials)
     }
 }
 
 impl Fields for Object {
-    #[inline(never)]
     fn visit(&mut self, archive: &mut impl Archive) {
         self.shape.visit(archive);
         self.texture.visit(archive);

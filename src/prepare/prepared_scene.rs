@@ -10,10 +10,10 @@ use crate::math::{Color, Factor, Real};
 use crate::scene;
 use crate::scene::{CapacityError, SceneCounts, SceneError};
 
-/// Receives the items of a scene while it is prepared or decoded.
+/// Receives the items of a scene while the scene is prepared or decoded.
 ///
-/// Preparing and decoding take a `SceneSink`, so they are compiled once and not once per
-/// capacity of a buffer.
+/// The functions that prepare and decode a scene take a `SceneSink` instead of a buffer. They
+/// are therefore compiled only once, and not once for each capacity of a buffer.
 pub(crate) trait SceneSink {
     fn clear(&mut self);
     fn push_object(&mut self, object: Object) -> Result<(), CapacityError>;
@@ -21,18 +21,18 @@ pub(crate) trait SceneSink {
     fn push_material(&mut self, material: Material) -> Result<(), CapacityError>;
 }
 
-/// The items of a scene, and memory for the data that culling derives from them.
+/// The items of a scene, and the memory for data that culling derives from these items.
 pub(crate) struct SceneLists<'b> {
     pub(crate) objects: &'b mut [Object],
     pub(crate) lights: &'b mut [Light],
     pub(crate) materials: &'b [Material],
-    /// One entry per bounded object.
+    /// List with one entry for each bounded object.
     pub(crate) bounded: &'b mut VecView<CullSphere>,
-    /// One entry per group of bounded objects.
+    /// List with one entry for each group of bounded objects.
     pub(crate) groups: &'b mut VecView<CullSphere>,
-    /// One entry per unbounded object.
+    /// List with one entry for each unbounded object.
     pub(crate) unbounded: &'b mut VecView<u16>,
-    /// One entry per light and bounded object.
+    /// List with one entry for each pair of a light and a bounded object.
     pub(crate) light_cones: &'b mut [LightCone],
 }
 
@@ -50,12 +50,13 @@ pub struct PreparedScene<'b> {
     pub(crate) groups: &'b [CullSphere],
     /// Indices of the unbounded objects.
     pub(crate) unbounded: &'b [u16],
-    /// Light after light, the cones of the bounded objects.
+    /// Cones of the bounded objects as seen from the first light, then from the second light,
+    /// and so on.
     light_cones: &'b [LightCone],
 }
 
 impl<'b> PreparedScene<'b> {
-    /// Computes the culling data of a scene whose items are complete.
+    /// Computes the culling data of a scene. All items of the scene must be in the lists.
     pub(crate) fn new(lists: SceneLists<'b>, settings: Settings) -> Self {
         let SceneLists {
             objects,
@@ -85,17 +86,17 @@ impl<'b> PreparedScene<'b> {
         }
     }
 
-    /// Maximum number of secondary generations of rays.
+    /// Returns the maximum number of generations of secondary rays.
     pub fn max_depth(&self) -> u8 {
         self.settings.max_depth
     }
 
-    /// The camera, in world units.
+    /// Returns the camera, in world units.
     pub fn camera(&self) -> scene::Camera {
         self.settings.authored_camera
     }
 
-    /// Numbers of objects, lights and materials.
+    /// Returns the numbers of objects, lights and materials.
     pub fn counts(&self) -> SceneCounts {
         SceneCounts::EMPTY
             .objects(self.objects.len())
@@ -103,14 +104,16 @@ impl<'b> PreparedScene<'b> {
             .materials(self.materials.len())
     }
 
-    /// Moves the camera and keeps everything else: a fraction of the work of preparing, also
-    /// for a decoded scene.
+    /// Replaces the camera and keeps everything else in the scene. This takes only a fraction
+    /// of the work of preparing the scene, and also works for a decoded scene.
     ///
-    /// Preparing the scene with this camera draws the same picture, bit for bit, if it finds
-    /// the same scale; otherwise positions are rounded differently, by 2^-28 of the size of
-    /// the scene. The eye may go 3.5 times as far from the center of the scene, in each
-    /// coordinate, as any bounded object, the first eye and the lights, so there is room to
-    /// orbit.
+    /// The picture is usually the same, bit for bit, as if the scene were prepared again with
+    /// the new camera. It differs only if preparing would choose another scale for the scene,
+    /// because positions would then be rounded differently, by 2^-28 of the size of the scene.
+    ///
+    /// The new eye may be farther from the center of the scene than the old one, so there is
+    /// room to orbit. In each coordinate, the eye may be 3.5 times as far from the center as the
+    /// farthest of the bounded objects, the lights and the first eye.
     ///
     /// ```
     /// use whitted::{Camera, Material, MaterialId, Object, Real, Scene, SceneBuffer, Vec3};
@@ -131,50 +134,49 @@ impl<'b> PreparedScene<'b> {
     /// ```
     ///
     /// # Errors
-    /// The errors of [`SceneBuffer::prepare`](crate::SceneBuffer::prepare) about a camera, and
-    /// [`SceneProblem::OutOfReach`](crate::scene::SceneProblem::OutOfReach) if the eye is too
-    /// far away. The camera then keeps its place.
+    /// Returns the errors of [`SceneBuffer::prepare`](crate::SceneBuffer::prepare) about a
+    /// camera, and [`SceneProblem::OutOfReach`](crate::scene::SceneProblem::OutOfReach) if the
+    /// eye is too far from the center of the scene. After an error, the previous camera stays
+    /// in place.
     pub fn set_camera(&mut self, camera: &scene::Camera) -> Result<(), SceneError> {
         self.settings.camera = camera::moved_camera(camera, &self.settings.normalization)?;
         self.settings.authored_camera = *camera;
         Ok(())
     }
 
-    /// Sets the maximum number of secondary generations of rays.
+    /// Sets the maximum number of generations of secondary rays.
     ///
     /// # Errors
-    /// `max_depth` is above 32.
+    /// Returns an error if `max_depth` is above 32.
     pub fn set_max_depth(&mut self, max_depth: u8) -> Result<(), SceneError> {
         self.settings.max_depth = validate::max_depth(max_depth)?;
         Ok(())
     }
 
-    /// Sets the weight below which a branch of the ray tree ends.
+    /// Sets the minimum weight of a secondary ray. A branch of the ray tree ends where the
+    /// weight falls below this minimum.
     ///
     /// # Errors
-    /// `min_weight` is outside of 0 to 1.
+    /// Returns an error if `min_weight` is outside the range from 0 to 1.
     pub fn set_min_weight(&mut self, min_weight: Real) -> Result<(), SceneError> {
         self.settings.min_weight = validate::min_weight(min_weight)?;
         Ok(())
     }
 
-    /// Material at an index. Preparing and decoding ensure that every index of an object is
-    /// valid.
-    #[inline(always)]
+    /// Returns the material at an index. Every index that an object has is valid, because
+    /// preparing and decoding check it.
     pub(crate) fn material(&self, index: u16) -> &'b Material {
         static BLACK: Material = Material::BLACK;
         self.materials.get(usize::from(index)).unwrap_or(&BLACK)
     }
 
-    /// Object at the index of a hit.
-    #[inline(always)]
+    /// Returns the object at an index. The index must come from a hit of a ray.
     pub(crate) fn object(&self, index: u16) -> &'b Object {
         static NONE: Object = Object::NONE;
         self.objects.get(usize::from(index)).unwrap_or(&NONE)
     }
 
-    /// Cones of the bounded objects as seen from a light.
-    #[inline(always)]
+    /// Returns the cones of all bounded objects as seen from a light.
     pub(crate) fn light_cones(&self, light: usize) -> &'b [LightCone] {
         let count = self.bounded.len();
         let first = light * count;
@@ -183,7 +185,7 @@ impl<'b> PreparedScene<'b> {
             .unwrap_or_default()
     }
 
-    /// Transmittance of an object at a point of its surface.
+    /// Returns the transmittance of an object at a point of its surface.
     #[inline(never)]
     pub(crate) fn transmittance(&self, object: &Object, point: &Point) -> Color<Factor> {
         self.material(object.texture.material(point)).kt.narrowed()
@@ -194,7 +196,7 @@ impl<'b> PreparedScene<'b> {
 mod tests {
     use super::*;
 
-    /// Checks the figures in the documentation of [`SceneBuffer`](crate::SceneBuffer).
+    /// Checks the memory figures in the documentation of [`SceneBuffer`](crate::SceneBuffer).
     #[test]
     fn items_take_the_documented_memory() {
         assert_eq!(size_of::<Object>(), 112);

@@ -3,32 +3,35 @@ use crate::geometry::{MAX_EXPONENT, NEAR, Normalization, valid};
 use crate::math::{Color, Factor, Length, Radiance, Real, Unit, Vec3};
 use crate::{archive, scene};
 
-/// Largest number of secondary generations of rays.
+/// Greatest number of generations of secondary rays.
 pub(crate) const MAX_DEPTH: u8 = 32;
 
-/// Everything in a prepared scene that is not a list.
+/// The part of a prepared scene that is not a list.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Settings {
     pub(crate) camera: Camera,
-    /// The camera in world units, which orbits start from.
+    /// The camera in world units. Orbits start from this camera.
     pub(crate) authored_camera: scene::Camera,
     pub(crate) normalization: Normalization,
-    /// Background at the horizon and below.
+    /// Color of the background at and below the horizon.
     pub(crate) horizon: Color<Radiance>,
-    /// Background straight up.
+    /// Color of the background straight up.
     pub(crate) zenith: Color<Radiance>,
-    /// True if horizon and zenith differ. Derived.
+    /// True if the colors of horizon and zenith differ. The field is derived, so compiled
+    /// scenes do not store it.
     pub(crate) is_gradient: bool,
-    /// Traced radiances are multiplied by 2^exposure to get those of the scene.
+    /// Exponent of the exposure. A traced radiance times 2^exposure is the radiance in the
+    /// scene.
     pub(crate) exposure: u8,
     pub(crate) max_depth: u8,
     pub(crate) min_weight: Factor,
-    /// True if no material transmits light. Derived.
+    /// True if no material of the scene transmits light. The field is derived, so compiled
+    /// scenes do not store it.
     pub(crate) is_opaque: bool,
 }
 
 impl Settings {
-    /// Values before they are decoded.
+    /// Returns placeholder settings, which decoding overwrites.
     pub(crate) fn empty() -> Self {
         let origin = Vec3::new(Real::ZERO, Real::ZERO, Real::ZERO);
         Self {
@@ -45,8 +48,7 @@ impl Settings {
         }
     }
 
-    /// Returns true if every field is in the range that tracing relies on.
-    #[inline(never)]
+    /// Returns true if every field is within the range that tracing relies on.
     pub(crate) fn is_valid(&self) -> bool {
         let Normalization { center, exponent } = self.normalization;
         let Vec3 { x, y, z } = center.map(i64::unsigned_abs);
@@ -63,7 +65,6 @@ impl Settings {
 }
 
 impl Fields for Settings {
-    #[inline(never)]
     fn visit(&mut self, archive: &mut impl Archive) {
         self.camera.visit(archive);
         let scene::Camera {
@@ -90,14 +91,14 @@ impl Fields for Settings {
     }
 }
 
-/// A camera with an orthonormal basis.
+/// A prepared camera. Its axes are an orthonormal basis.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Camera {
     pub(crate) eye: Vec3<Length>,
     pub(crate) forward: Vec3<Unit>,
     pub(crate) right: Vec3<Unit>,
     pub(crate) up: Vec3<Unit>,
-    /// tan(fovy / 2) as `U4F28`: below 11.5.
+    /// Tangent of half the vertical field of view, as `U4F28`. The tangent is below 11.5.
     pub(crate) tangent: u32,
 }
 

@@ -3,7 +3,7 @@ use crate::math::{Vec3, reciprocal};
 use crate::scene;
 use crate::scene::{Axis, SceneError, SceneItem};
 
-/// Prepares the texture of an object.
+/// Validates the texture of an object and prepares it.
 pub(super) fn texture(
     texture: &scene::Texture,
     normalization: &Normalization,
@@ -39,9 +39,10 @@ pub(super) fn texture(
     }
 }
 
-/// Fraction of `dividend / divisor`, modulo 1, as `U0F32`, rounded down.
+/// Returns the fractional part of `dividend / divisor`, from 0 to below 1, as `U0F32`, rounded
+/// down.
 fn fraction(dividend: i64, divisor: i64) -> u32 {
-    // The divisor is never 0, which the compiler cannot know.
+    // The divisor is never 0, but the compiler cannot know this.
     let mut remainder = dividend.checked_rem_euclid(divisor).unwrap_or(0);
     let mut quotient = 0;
     for _ in 0..32 {

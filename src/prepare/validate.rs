@@ -1,4 +1,4 @@
-//! Checks of an authored scene that do not depend on its scale.
+//! Checks of an authored scene. These checks do not depend on the scale of the scene.
 
 use super::settings::MAX_DEPTH;
 use crate::geometry;
@@ -9,7 +9,7 @@ use crate::scene::{
     SceneProblem, Texture,
 };
 
-/// Largest channel of a light, emission, ambient light or background.
+/// Greatest channel of a light, an emission, the ambient light or the background.
 const BRIGHTEST: Real = Real::lit("256");
 
 fn color(
@@ -23,7 +23,7 @@ fn color(
         .try_for_each(|c| limits::range(item, field, c, [Real::ZERO, most]))
 }
 
-/// Checks everything that does not depend on the scale of the scene.
+/// Runs all checks that do not depend on the scale of the scene.
 pub(super) fn scene(scene: &Scene<'_>) -> Result<(), SceneError> {
     max_depth(scene.max_depth)?;
     min_weight(scene.min_weight)?;
@@ -51,7 +51,7 @@ pub(super) fn scene(scene: &Scene<'_>) -> Result<(), SceneError> {
     Ok(())
 }
 
-/// Checks the length of a list: indices have 16 bits.
+/// Checks that a list is not longer than 16-bit indices allow.
 fn countable(list: &'static str, length: usize) -> Result<(), SceneError> {
     let capacity = u16::MAX;
     if length > usize::from(capacity) {

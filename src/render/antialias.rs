@@ -1,12 +1,13 @@
 //! Adaptive antialiasing: more rays for pixels that differ from a neighbor (Whitted 1980).
 //!
-//! One camera ray goes through the center of each pixel. A pixel is at an edge if object,
-//! material, incident light or color differ from a horizontal or vertical neighbor. Such a pixel
-//! gets a fixed pattern of further rays and becomes the mean of all of them.
+//! The renderer first traces one camera ray through the center of each pixel. A pixel is at an edge
+//! if its object, material, incident light or color differs from that of a horizontal or vertical
+//! neighbor. The renderer traces a fixed pattern of further rays through such a pixel. The color of
+//! the pixel is the mean of the center ray and the further rays.
 //!
-//! Whitted sampled the corners of pixels and subdivided recursively. Sampling centers instead
-//! leaves all other pixels as [`Renderer`](crate::Renderer) draws them, and a fixed pattern needs
-//! only two lines of memory.
+//! Whitted sampled the corners of pixels and subdivided pixels recursively. This renderer samples
+//! the centers, so pixels that are not at an edge look as [`Renderer`](crate::Renderer) draws them.
+//! Because the pattern of rays is fixed, two lines of memory are enough.
 
 mod error;
 mod fingerprint;
@@ -32,15 +33,16 @@ use pattern::{GRID, MAX_SIDE};
 
 /// Draws a scene with smooth edges, line by line.
 ///
-/// The renderer takes 0.9 KB. The caller provides one [`AaSample`] of 16 bytes for each pixel of
-/// two lines: 10 KB at a width of 320.
+/// The renderer takes 0.9 KB. In addition, the caller provides one [`AaSample`] of 16 bytes for
+/// each pixel of two lines: 10 KB for a picture 320 pixels wide.
 ///
-/// Lines can be requested in any order, repeatedly, with the same result. In order from top to
-/// bottom, each line is traced once; the most recent line is free to request again, and any other
-/// line costs as much as three lines.
+/// Lines can be requested in any order and more than once; the result is always the same. The cost
+/// depends on the order. If lines are requested from top to bottom, each line is traced once.
+/// Requesting the most recent line again costs nothing. A request for any other line costs as much
+/// as three lines.
 ///
-/// Samples are clipped to 0..=1 before they are averaged, because a highlight brighter than white
-/// would otherwise dominate the mean and keep a jagged edge.
+/// Samples are clipped to 0..=1 before they are averaged. Otherwise a highlight brighter than white
+/// would dominate the mean, and its edge would stay jagged.
 ///
 /// ```
 /// use embedded_graphics::mock_display::MockDisplay;
@@ -63,12 +65,13 @@ use pattern::{GRID, MAX_SIDE};
 pub struct AntialiasedRenderer<'s, 'm, O: Observer = ()> {
     tracer: ScanlineTracer<'s>,
     rays: CameraRays,
-    /// Camera rays of a picture with [`GRID`] times the width and height.
+    /// Camera rays of a picture that is [`GRID`] times as wide and as high.
     fine_rays: CameraRays,
     samples: SampleCount,
-    /// The even and the odd line that were traced most recently.
+    /// Samples of the most recently traced even line and of the most recently traced odd line.
     lines: [&'m mut [AaSample]; 2],
-    /// The line that was finished most recently. The line below it is traced but not refined.
+    /// Number of the line that was finished most recently. The line below that line has been
+    /// traced, but its edge pixels have not been refined.
     finished: Option<u32>,
     output: Output,
     fingerprint: Fingerprint,
@@ -76,8 +79,8 @@ pub struct AntialiasedRenderer<'s, 'm, O: Observer = ()> {
 }
 
 impl<'s, 'm> AntialiasedRenderer<'s, 'm> {
-    /// Returns a renderer for a picture of `size` pixels, at most 8191 per side, that uses the
-    /// first `2 * size.width` samples of `memory`.
+    /// Returns a renderer for a picture of `size` pixels, with at most 8191 pixels per side. The
+    /// renderer uses the first `2 * size.width` samples of `memory`.
     ///
     /// # Errors
     /// An [`AntialiasError`] if `memory` is too short or the picture is too large.
@@ -92,7 +95,7 @@ impl<'s, 'm> AntialiasedRenderer<'s, 'm> {
 }
 
 impl<'s, 'm, O: Observer> AntialiasedRenderer<'s, 'm, O> {
-    /// Returns a renderer that reports every ray to `observer`. The other parameters are those of
+    /// Returns a renderer that reports every ray to `observer`. For the other parameters see
     /// [`AntialiasedRenderer::new`].
     ///
     /// # Errors
@@ -131,7 +134,7 @@ impl<'s, 'm, O: Observer> AntialiasedRenderer<'s, 'm, O> {
     /// Draws the whole picture, from top to bottom.
     ///
     /// # Errors
-    /// The first error of the display, which ends drawing.
+    /// Drawing stops at the first error of the display and returns that error.
     pub fn draw<D>(&mut self, target: &mut D) -> Result<(), D::Error>
     where
         D: DrawTarget<Color: DisplayColor>,
@@ -139,7 +142,7 @@ impl<'s, 'm, O: Observer> AntialiasedRenderer<'s, 'm, O> {
         (0..self.size().height).try_for_each(|y| self.draw_line(y, target))
     }
 
-    /// Returns the columns and colors of line `y`.
+    /// Returns the column and the color of each pixel of line `y`.
     fn pixels(&mut self, y: u32) -> impl Iterator<Item = (u32, Color<Radiance>)> {
         self.finish(y);
         let line = &self.lines[y as usize % 2];
@@ -147,7 +150,8 @@ impl<'s, 'm, O: Observer> AntialiasedRenderer<'s, 'm, O> {
         (0..).zip(line.iter().take(count).map(AaSample::color))
     }
 
-    /// Traces and refines line `y`, unless it is the line finished most recently.
+    /// Traces line `y` and refines its edge pixels. Does nothing if line `y` was the last line
+    /// to be finished.
     fn finish(&mut self, y: u32) {
         if y >= self.rays.height || self.finished == Some(y) {
             return;
@@ -170,7 +174,8 @@ impl<'s, 'm, O: Observer> AntialiasedRenderer<'s, 'm, O> {
         self.finished = Some(y);
     }
 
-    /// Traces line `y` through the centers of its pixels and marks edges within the line.
+    /// Traces a ray through the center of each pixel of line `y`, and marks pixels that differ from
+    /// a neighbor in the same line.
     fn trace_line(&mut self, y: u32) {
         let line = &mut *self.lines[y as usize % 2];
         let mut both = Pair(&mut self.fingerprint, &mut self.observer);
@@ -191,7 +196,7 @@ impl<'s, 'm, O: Observer> AntialiasedRenderer<'s, 'm, O> {
         }
     }
 
-    /// Marks edges between the two lines.
+    /// Marks pixels that differ from their neighbor in the other of the two stored lines.
     fn compare_lines(&mut self) {
         let [even, odd] = &mut self.lines;
         for (a, b) in even.iter_mut().zip(odd.iter_mut()) {
@@ -217,7 +222,8 @@ impl<'s, 'm, O: Observer> AntialiasedRenderer<'s, 'm, O> {
             }
             let row = GRID * y + row;
             let all = self.fine_rays.columns();
-            // The fingerprint is not needed here, but a tracer without it would be a second copy.
+            // Further rays need no fingerprint. The fingerprint is still an observer, so that the
+            // tracer is compiled only once.
             let mut both = Pair(&mut self.fingerprint, &mut self.observer);
             let mut pixels = self.tracer.pixels(&self.fine_rays, row, all, &mut both);
             let edges = (0..).zip(&mut *line).filter(|(_, it)| it.is_edge());
@@ -237,7 +243,7 @@ impl<'s, 'm, O: Observer> AntialiasedRenderer<'s, 'm, O> {
 mod tests {
     use super::*;
 
-    /// The limit holds on 64-bit hosts; a 32-bit core needs less.
+    /// Checks the size on a 64-bit host. On a 32-bit core a renderer is smaller.
     #[test]
     fn has_documented_size() {
         assert_eq!(size_of::<AaSample>(), 16);

@@ -1,8 +1,8 @@
 //! Camera rays of a pinhole camera.
 //!
-//! The direction through the center of pixel (x, y) is `f + X r + Y u`, where f, r and u are the
-//! camera's forward, right and up vectors, `X = (2x + 1 - width) g`, `Y = (height - 2y - 1) g` and
-//! `g = tan(fovy / 2) / height`, half the size of a pixel at distance 1.
+//! Let f, r and u be the camera's forward, right and up vectors. Let g be half the size of a pixel
+//! at distance 1: `g = tan(fovy / 2) / height`. The ray through the center of pixel (x, y) has the
+//! direction `f + X r + Y u`, where `X = (2x + 1 - width) g` and `Y = (height - 2y - 1) g`.
 
 use crate::math::reciprocal_outlined;
 use crate::math::{Length, Product, Unit, Vec3, quotient, square_root, wide};
@@ -15,39 +15,42 @@ pub(crate) const MAX_SIDE: u32 = u16::MAX as u32;
 
 /// Generator of the camera rays of a picture.
 ///
-/// Directions are in Q62, scaled so that the longest has length 7/8. Eight times that length spans
-/// the near range of positions, -3.5 to 3.5.
+/// Directions have Q62 and are scaled so that the longest of them has length 7/8. The near range of
+/// positions extends from -3.5 to 3.5 in each coordinate. Eight times the longest direction spans
+/// this range.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct CameraRays {
     pub(super) eye: Vec3<Length>,
-    /// `f + X r` of the first column.
+    /// Direction `f + X r` for the first column, before `Y u` is added for the line.
     left: Vec3<i64>,
-    /// `g r`: half a pixel to the right.
+    /// Vector `g r`: half a pixel to the right.
     right: Vec3<i64>,
-    /// `g u`: half a pixel up.
+    /// Vector `g u`: half a pixel up.
     up: Vec3<i64>,
-    /// g as `U6F58`.
+    /// Half the size of a pixel at distance 1, g, as `U6F58`.
     pub(super) half_pixel: u64,
     pub(crate) width: u32,
     pub(crate) height: u32,
 }
 
 impl CameraRays {
-    /// Returns the camera rays of a picture of `width` by `height` pixels, clamped to [`MAX_SIDE`].
+    /// Returns the camera rays of a picture of `width` by `height` pixels. Both are clamped to
+    /// [`MAX_SIDE`].
     ///
-    /// Out of line: runs once per picture.
+    /// The function is not inlined, because it runs only once per picture.
     #[inline(never)]
     pub(crate) fn new(camera: &Camera, width: u32, height: u32) -> Self {
         let (width, height) = (width.min(MAX_SIDE), height.min(MAX_SIDE));
-        // tangent / height: U4F28 * U1F31 -> U6F58
+        // g is tangent / height, computed as the product of a `U4F28` and a reciprocal in `U1F31`,
+        // and shifted to `U6F58`.
         let shift = height.max(1).leading_zeros();
         let g = wide(camera.tangent, reciprocal_outlined(height.max(1) << shift)) >> (33 - shift);
         let scale = direction_scale(g, [width, height]);
-        // g scaled, as a 32-bit mantissa and a shift.
+        // The product of g and `scale`, then the same product as a 32-bit mantissa and a shift.
         let scaled_g = (wide((g >> 32) as u32, scale) << 1) + (wide(g as u32, scale) >> 31);
         let g_shift = scaled_g.max(1).leading_zeros();
         let g_mantissa = ((scaled_g << g_shift) >> 32) as u32;
-        // I2F30 * (U6F58 as a 32-bit mantissa) -> Q62
+        // Multiplies a unit vector, in `I2F30`, by the scaled g and shifts the product to Q62.
         let half_pixel = |v| scaled(v, g_mantissa, g_shift.saturating_sub(6));
         let forward = scaled(&camera.forward, scale << 1, 0);
         let right = half_pixel(&camera.right);
@@ -71,9 +74,10 @@ impl CameraRays {
         }
     }
 
-    /// Returns the directions of line `y` from left to right; none if `y` is outside the picture.
+    /// Returns the directions of the camera rays of line `y`, from left to right. The iterator is
+    /// empty if `y` is outside the picture.
     ///
-    /// Out of line: runs once per scanline.
+    /// The function is not inlined, because it runs only once per scanline.
     #[inline(never)]
     pub(crate) fn line(&self, y: u32) -> ScanlineRays {
         let up = self.height as i32 - 2 * y.min(MAX_SIDE) as i32 - 1;
@@ -84,21 +88,25 @@ impl CameraRays {
         )
     }
 
-    /// Returns `Y` of line `y` in Q26, or of the last line if `y` is outside the picture.
+    /// Returns the elevation of line `y`, `(height - 2y - 1) g`, in Q26. A line below the picture
+    /// gets the elevation of the last line.
     pub(super) fn elevation(&self, y: u32) -> i32 {
         let y = y.min(self.height.saturating_sub(1));
         let up = i64::from(self.height) - 2 * i64::from(y) - 1;
-        // Q58 -> Q26
+        // The shift converts Q58 to Q26.
         ((up * self.half_pixel as i64) >> 32) as i32
     }
 }
 
-/// Returns the factor, `U1F31` and below 1, that makes the longest direction 7/8 long.
+/// Returns the factor that scales the longest direction of a picture to length 7/8. The factor is a
+/// `U1F31` below 1.
 ///
-/// The length of the longest direction is at most `sqrt(1 + (width g)² + (height g)²)`.
+/// `g` is half the size of a pixel at distance 1. The longest direction, through a corner of the
+/// picture, is at most `sqrt(1 + (width g)² + (height g)²)` long.
 fn direction_scale(g: u64, [width, height]: [u32; 2]) -> u32 {
     let sides = [width, height].map(|side| ((g >> 30) + 1) * u64::from(side));
-    // The squares are in Q56. If they would overflow, all lengths lose some low bits first.
+    // Lengths have Q28 and their squares Q56. If the squares would overflow, all lengths are first
+    // shifted down by `coarser` bits.
     let coarser = (64 - (sides[0] | sides[1]).leading_zeros()).saturating_sub(30);
     let square = |side| square_above(side, coarser);
     let longest_squared = square(1 << 28) + square(sides[0]) + square(sides[1]);
@@ -158,7 +166,8 @@ mod tests {
                     let length = length(&rays, x, y);
                     assert!(length <= 0.875, "{tangent} {width}x{height} {x} {y}");
                 }
-                // The center of the corner pixel is half a pixel short of the corner.
+                // The ray goes through the center of the corner pixel, half a pixel away from the
+                // corner of the picture. Its direction is therefore slightly shorter than 7/8.
                 if width.min(height) > 200 {
                     let length = length(&rays, 0, 0);
                     assert!(length > 0.86, "{tangent} {width}x{height}");

@@ -1,4 +1,5 @@
-/// Columns `from`, `from + 2^spacing`, `from + 2 * 2^spacing` and so on, below `to`.
+/// Every `2^spacing`-th column of a line, starting with column `from` and ending before column
+/// `to`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ColumnRange {
     pub(crate) from: u32,

@@ -1,4 +1,4 @@
-//! Detection of the parts of a line that changed since the previous frame.
+//! Output of only those parts of a line that changed since the previous frame.
 
 use core::ops::Range;
 
@@ -9,11 +9,13 @@ use embedded_graphics_core::primitives::Rectangle;
 
 /// Sends only the segments of a line that changed since the previous frame.
 ///
-/// Use it for displays on a slow bus, and for e-paper, which needs no refresh if nothing was sent.
+/// `DirtyLines` suits displays on a slow bus. It also suits e-paper, which needs no refresh if
+/// nothing was sent.
 ///
-/// The caller provides memory for a 4-byte hash per segment of 32 pixels: 9.6 KB for 320x240,
-/// where a framebuffer of `Rgb565` would take 154 KB. A change that does not change the hash, one
-/// in 2^32, is missed until the segment changes again.
+/// The caller provides memory for the hashes: 4 bytes for each segment of 32 pixels. A picture of
+/// 320x240 pixels takes 9.6 KB; a framebuffer of `Rgb565` would take 154 KB. One change in 2^32
+/// leaves the hash of a segment unchanged. Such a change is not sent until the segment changes
+/// again.
 ///
 /// ```
 /// # use embedded_graphics::mock_display::MockDisplay;
@@ -44,43 +46,44 @@ use embedded_graphics_core::primitives::Rectangle;
 /// ```
 #[derive(Debug)]
 pub struct DirtyLines<'m> {
-    /// Hashes of the segments, line by line; 0 if the content of the display is unknown.
+    /// Hashes of the segments, line by line. A hash is 0 if it is not known what the display shows.
     hashes: &'m mut [u32],
     width: u32,
 }
 
 impl<'m> DirtyLines<'m> {
-    /// Number of pixels per segment: whole bytes in every color format.
+    /// Number of pixels per segment. A segment fills whole bytes in every color format.
     pub const SEGMENT: u32 = 32;
 
-    /// Returns the number of hashes for a picture of `size`.
+    /// Returns the number of hashes that a picture of `size` needs.
     pub const fn hashes(size: Size) -> usize {
         size.width.div_ceil(Self::SEGMENT) as usize * size.height as usize
     }
 
-    /// Returns an instance for lines of `width` pixels that will send all of the first frame.
+    /// Creates `DirtyLines` for lines of `width` pixels. All segments of the first frame will be
+    /// sent.
     ///
-    /// Segments beyond the end of `hashes` are always sent.
+    /// If `hashes` is too short, the segments without a hash are sent in every frame.
     pub fn new(width: u32, hashes: &'m mut [u32]) -> Self {
         hashes.fill(0);
         Self { hashes, width }
     }
 
-    /// Forgets the content of the display, so that all of the next frame is sent.
+    /// Forgets what the display shows, so that all segments of the next frame are sent.
     ///
-    /// Call it after a reset of the display, or after drawing something else on it.
+    /// Call `forget` after a reset of the display, or after drawing something else on it.
     pub fn forget(&mut self) {
         self.hashes.fill(0);
     }
 
     /// Sends the changed segments of line `y` and returns the number of pixels sent.
     ///
-    /// Adjacent changed segments are one call of `fill_contiguous`. Pixels of `line` beyond the
-    /// width are ignored.
+    /// Adjacent changed segments are sent by one call of `fill_contiguous`. Pixels of `line` beyond
+    /// the width of the picture are ignored.
     ///
     /// # Errors
-    /// The first error of the display, which ends the call. The segments of the failed call count
-    /// as unknown, so sending the line again repeats them.
+    /// Sending stops at the first error of the display and returns that error. The segments of the
+    /// failed `fill_contiguous` lose their hashes, so that sending the line again repeats them.
     pub fn send_line<D>(
         &mut self,
         y: u32,
@@ -110,7 +113,8 @@ impl<'m> DirtyLines<'m> {
         Ok(sent)
     }
 
-    /// Sends adjacent segments, and marks them as unknown if that fails.
+    /// Sends adjacent segments by one call of `fill_contiguous`. If the call fails, sets their
+    /// hashes to 0, so that the segments will be sent again.
     fn send_run<D>(
         &mut self,
         y: u32,
@@ -135,7 +139,8 @@ impl<'m> DirtyLines<'m> {
         outcome.map(|()| size.width)
     }
 
-    /// Returns the hashes of some segments of line `y`, as far as there is memory for them.
+    /// Returns the hashes of some segments of line `y`. Segments for which there is no memory are
+    /// left out.
     fn hashes_mut(&mut self, y: u32, segments: Range<usize>) -> &mut [u32] {
         let line = (self.width.div_ceil(Self::SEGMENT) as usize).saturating_mul(y as usize);
         let line = self.hashes.get_mut(line..).unwrap_or_default();
@@ -144,7 +149,7 @@ impl<'m> DirtyLines<'m> {
     }
 }
 
-/// Returns the MurmurHash3 (Appleby 2011) of colors as 32-bit words, or 1 if it is 0.
+/// Hashes colors, each as a 32-bit word, by MurmurHash3 (Appleby 2011). Returns 1 instead of 0.
 fn hash<C: Copy + IntoStorage<Storage: Into<u32>>>(colors: &[C]) -> u32 {
     let mut hash = 0_u32;
     for color in colors {

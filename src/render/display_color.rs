@@ -11,26 +11,28 @@ use crate::render::Output;
 
 /// Color type of a display.
 ///
-/// The RGB, BGR, gray and binary colors of embedded-graphics implement this trait: channels are
-/// clipped to 0..=1, gray is the luminance of ITU-R BT.709, and a binary pixel is on if its
-/// dithered luminance rounds to 1. `Color<u16>` is linear, whatever the output.
+/// The RGB, BGR, gray and binary colors of embedded-graphics implement this trait. Their channels
+/// are clipped to 0..=1. Gray is the luminance of ITU-R BT.709. A binary pixel is on if its
+/// dithered luminance rounds to 1. `Color<u16>` also implements this trait; it is always linear and
+/// ignores the [`Output`].
 pub trait DisplayColor: Copy {
-    /// Converts a linear color for the pixel `at` this position of the display.
+    /// Converts a linear color to a display color. `at` is the position of the pixel on the
+    /// display, which selects the dithering threshold.
     fn from_radiance(color: Color<Radiance>, at: Point, output: Output) -> Self;
 }
 
-/// Returns the luminance of ITU-R BT.709, 0.2126 R + 0.7152 G + 0.0722 B, without clipping.
-#[inline(always)]
+/// Returns the luminance of a color by ITU-R BT.709, 0.2126 R + 0.7152 G + 0.0722 B. The luminance
+/// is not clipped.
 fn luminance(color: Color<Radiance>) -> Radiance {
-    // The weights are in Q16 and add up to 1.
+    // The weights of the three channels have Q16 and add up to 1.
     let weighted = |value: Radiance, weight: u64| u64::from(value.to_bits()) * weight;
     let sum = weighted(color.r, 13_933) + weighted(color.g, 46_871) + weighted(color.b, 4_732);
     Radiance::from_bits((sum >> 16) as u32)
 }
 
-/// Linear color of 16 bits per channel, rounded to nearest. Checksums and 16-bit images use it.
+/// A linear color with 16 bits per channel, rounded to nearest. Checksums of pictures and 16-bit
+/// images use this color.
 impl DisplayColor for Color<u16> {
-    #[inline]
     fn from_radiance(color: Color<Radiance>, _: Point, _: Output) -> Self {
         color.map(|value| {
             let clipped = u64::from(value.to_bits().min(1 << 30));
@@ -39,13 +41,12 @@ impl DisplayColor for Color<u16> {
     }
 }
 
-/// Returns a function that converts a channel of the pixel `at` to a level from 0 to its second
-/// argument.
-#[inline(always)]
+/// Returns a function that converts the radiance of a channel to a display level. The second
+/// argument of that function is the greatest level. `at` is the position of the pixel.
 fn levels(at: Point, output: Output, is_coarse: bool) -> impl Fn(Radiance, u8) -> u8 {
     let threshold = output.dither.threshold(at.x, at.y, is_coarse);
     move |light, max| {
-        // Q16 levels, rounded by the threshold.
+        // The product is the level in Q16. Adding the threshold rounds or dithers it.
         ((output.transfer.encode(light) * u32::from(max) + threshold) >> 16) as u8
     }
 }
@@ -53,7 +54,6 @@ fn levels(at: Point, output: Output, is_coarse: bool) -> impl Fn(Radiance, u8) -
 macro_rules! rgb {
     ($($color:ty),*) => {$(
         impl DisplayColor for $color {
-            #[inline]
             fn from_radiance(color: Color<Radiance>, at: Point, output: Output) -> Self {
                 let level = levels(at, output, Self::MAX_G < u8::MAX);
                 Self::new(
@@ -73,7 +73,6 @@ rgb!(
 macro_rules! gray {
     ($($color:ty: $max:literal),*) => {$(
         impl DisplayColor for $color {
-            #[inline]
             fn from_radiance(color: Color<Radiance>, at: Point, output: Output) -> Self {
                 Self::new(levels(at, output, $max < 255)(luminance(color), $max))
             }
@@ -84,7 +83,6 @@ macro_rules! gray {
 gray!(Gray8: 255, Gray4: 15, Gray2: 3);
 
 impl DisplayColor for BinaryColor {
-    #[inline]
     fn from_radiance(color: Color<Radiance>, at: Point, output: Output) -> Self {
         (levels(at, output, true)(luminance(color), 1) == 1).into()
     }
@@ -123,7 +121,7 @@ mod tests {
         assert_eq!(nearest::<Color<u16>>(Radiance::ONE).g, 0xffff);
     }
 
-    /// Returns the pixels of a dithered tile of one gray.
+    /// Returns the pixels of a dithered 8x8 tile of uniform gray.
     fn tile<P: DisplayColor>(value: Radiance) -> impl Iterator<Item = P> {
         let places = (0..64).map(|i| Point::new(i % 8 - 4, i / 8));
         places.map(move |at| P::from_radiance(gray(value), at, Output::default()))

@@ -1,4 +1,4 @@
-//! Conversion of traced pixels to display colors and calls of a `DrawTarget`.
+//! Functions that convert traced pixels to display colors and send them to a `DrawTarget`.
 
 use embedded_graphics_core::Pixel;
 use embedded_graphics_core::draw_target::DrawTarget;
@@ -10,7 +10,7 @@ use crate::render::progress::RenderProgress;
 use crate::render::row_span::RowSpan;
 use crate::render::{DisplayColor, Output};
 
-/// Draws the single pixels of a row by one call of `fill_contiguous`.
+/// Draws a row of single pixels, without gaps, by one call of `fill_contiguous`.
 pub(super) fn fill_line<D>(
     row: &RowSpan,
     pixels: impl Iterator<Item = (u32, Color<Radiance>)>,
@@ -40,11 +40,11 @@ where
     }))
 }
 
-/// Draws the blocks of a row by one call of `fill_contiguous` each, and advances `progress` after
-/// each of them.
+/// Draws a row of blocks. Each block is drawn by one call of `fill_contiguous`, after which
+/// `progress` advances.
 ///
-/// Each pixel of a block is dithered at its own position, so the colors within a block can
-/// differ.
+/// Each pixel of a block is dithered at its own position, so the pixels of a block can have
+/// different colors.
 pub(super) fn fill_blocks<D>(
     progress: &mut RenderProgress,
     size: Size,

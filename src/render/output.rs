@@ -1,4 +1,4 @@
-//! Conversion of linear radiance to the levels of a display.
+//! Transfer functions and dithering, which convert linear radiance to the levels of a display.
 
 mod dither;
 mod transfer;
@@ -8,7 +8,7 @@ pub use transfer::Transfer;
 
 /// Conversion of linear radiance to the levels of a display.
 ///
-/// The default keeps values linear and dithers channels of fewer than 8 bits.
+/// The default output is linear, and channels of fewer than 8 bits are dithered.
 ///
 /// ```
 /// use whitted::render::{Output, Transfer};
@@ -19,6 +19,6 @@ pub use transfer::Transfer;
 pub struct Output {
     /// Transfer function from linear radiance to display values.
     pub transfer: Transfer,
-    /// Dithering of values between two levels.
+    /// Dithering of values that lie between two levels of a display channel.
     pub dither: Dither,
 }

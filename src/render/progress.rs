@@ -1,9 +1,10 @@
-//! Resumable progress of drawing a picture.
+//! Progress of drawing a picture, which allows drawing to be interrupted and resumed.
 //!
-//! A picture is drawn in passes. A pass consists of rows of blocks: squares in the color of their
-//! top left pixel. The first pass covers the picture with blocks. Each later pass halves the side
-//! of the blocks and traces the three of four whose top left pixel has not been traced yet.
-//! Scanline order is the special case whose first blocks are single pixels.
+//! A picture is drawn in passes. A pass draws rows of blocks. A block is a square that has the
+//! color of its top left pixel. The first pass covers the picture with large blocks. Each later
+//! pass halves the side of the blocks. Of every four blocks, it traces three, because the top left
+//! pixel of the fourth has already been traced. In scanline order, the first blocks are single
+//! pixels, so there is only one pass.
 
 use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::primitives::Rectangle;
@@ -12,14 +13,14 @@ use crate::render::camera_rays::MAX_SIDE;
 use crate::render::column_range::ColumnRange;
 use crate::render::row_span::RowSpan;
 
-/// Side of the first blocks in progressive order.
+/// Side, in pixels, of the blocks of the first pass in progressive order.
 const COARSEST: u8 = 16;
 
 /// Progress of drawing a picture, or an area of it, by [`Renderer::step`](crate::Renderer::step).
 ///
-/// A `RenderProgress` is 14 bytes of plain data without references to the renderer or the
-/// display. It can be stored, copied or dropped between steps, and a copy resumes from the same
-/// place. All steps must use the same scene, picture size and display.
+/// A `RenderProgress` is 14 bytes of plain data without references to the renderer or the display.
+/// It can be stored, copied or dropped between steps. Drawing with a copy resumes from the place
+/// where the copy was made. All steps must use the same scene, picture size and display.
 ///
 /// This microcontroller loop feeds a watchdog and reads a button between steps:
 ///
@@ -69,17 +70,18 @@ pub struct RenderProgress {
     block: u8,
 }
 
-/// Amount of work of a call of [`Renderer::step`](crate::Renderer::step).
+/// Amount of work that one call of [`Renderer::step`](crate::Renderer::step) does.
 ///
-/// A step also ends when the picture is complete.
+/// A step always ends when the picture is complete.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Step {
     /// Draws the rest of the current line of pixels or row of blocks.
     Line,
     /// Draws the rest of the current pass. Scanline order has a single pass.
     Pass,
-    /// Draws until this many rays are traced, shadow rays included, and finishes the current
-    /// pixel, which takes at most 4096 rays plus their shadow rays. `Rays(0)` does nothing.
+    /// Draws until the given number of rays, including shadow rays, has been traced, and then
+    /// finishes the current pixel. A pixel takes at most 4096 rays plus their shadow rays.
+    /// `Rays(0)` does nothing.
     Rays(u32),
 }
 
@@ -93,9 +95,9 @@ impl RenderProgress {
 
     /// Starts to draw an area in five passes with blocks of 16, 8, 4, 2 and 1 pixels a side.
     ///
-    /// The first pass covers the whole area for 1/256 of the work. Each pixel is traced once. All
-    /// passes together send four times as many pixels to the display as scanline order. The area
-    /// is clipped to the picture.
+    /// The first pass covers the whole area but traces only 1/256 of its pixels. All passes
+    /// together trace each pixel once, but send four times as many pixels to the display as
+    /// scanline order does. The area is clipped to the picture.
     pub fn progressive(area: Rectangle) -> Self {
         Self::new(area, COARSEST)
     }
@@ -127,7 +129,8 @@ impl RenderProgress {
         self.block.into()
     }
 
-    /// Returns the rest of the current row, in a picture of `size`; `None` if the area is complete.
+    /// Returns the part of the current row that has not been drawn. Returns `None` if the area is
+    /// complete. `size` is the size of the picture.
     pub(crate) fn row(&mut self, size: Size) -> Option<RowSpan> {
         self.settle(size);
         let (right, bottom) = self.ends(size);
@@ -143,7 +146,7 @@ impl RenderProgress {
         })
     }
 
-    /// Advances by `pixels` traced pixels of the current row.
+    /// Records that the next `pixels` pixels of the current row have been traced and drawn.
     pub(crate) fn advance(&mut self, pixels: u32, size: Size) {
         let columns = pixels.saturating_mul(self.stride().into());
         let columns = u16::try_from(columns).unwrap_or(u16::MAX);
@@ -151,13 +154,14 @@ impl RenderProgress {
         self.settle(size);
     }
 
-    /// Advances to the next row.
+    /// Records that the current row is complete, and moves to the next row.
     pub(crate) fn finish_row(&mut self, size: Size) {
         self.x = self.right;
         self.settle(size);
     }
 
-    /// Moves to the next row or pass if the current one is complete.
+    /// Moves to the next row if the current row is complete, and to the next pass if the current
+    /// pass is complete.
     fn settle(&mut self, size: Size) {
         let (right, bottom) = self.ends(size);
         if self.left >= right {
@@ -172,7 +176,7 @@ impl RenderProgress {
             } else {
                 return;
             }
-            // An earlier pass has traced the first pixel of every other row.
+            // In rows that are not new, an earlier pass has traced the pixel of the first block.
             let traced = if self.is_new_row() { 0 } else { self.block };
             self.x = self.left.saturating_add(traced.into());
         }
@@ -184,13 +188,13 @@ impl RenderProgress {
         (clip(self.right, size.width), clip(self.bottom, size.height))
     }
 
-    /// Returns true if no earlier pass has traced pixels of the current row. After the first pass,
-    /// that holds for every other row.
+    /// Returns true if no earlier pass has traced pixels of the current row. In the first pass, all
+    /// rows are new; in later passes, every other row is new.
     fn is_new_row(&self) -> bool {
         self.block == self.coarsest || (self.y - self.top) & u16::from(self.block) != 0
     }
 
-    /// Returns the distance between pixels that are traced in the current row.
+    /// Returns the distance, in columns, between the pixels that are traced in the current row.
     fn stride(&self) -> u16 {
         let stride = u16::from(self.block);
         if self.is_new_row() {

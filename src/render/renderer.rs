@@ -17,12 +17,13 @@ use crate::render::{DisplayColor, Output};
 
 /// Draws a scene with one camera ray per pixel and without a framebuffer.
 ///
-/// [`draw`](Self::draw) draws the whole picture line by line; [`step`](Self::step) draws it in
-/// steps, optionally from coarse to fine. The aspect ratio follows the size of the picture.
+/// [`draw`](Self::draw) draws the whole picture line by line. [`step`](Self::step) splits drawing
+/// into steps and can draw from coarse to fine. The aspect ratio of the camera is that of the
+/// picture.
 ///
-/// A renderer takes 0.7 KB, mainly the list of objects that a line may show. Drawing takes about
-/// 1.5 KB of stack, plus 0.4 KB if a material transmits light, plus 1.4 KB for more than 8
-/// generations of rays, plus 0.9 KB for a sphereflake.
+/// A renderer takes 0.7 KB, most of it for the list of objects that may be visible in a line.
+/// Drawing takes about 1.5 KB of stack. A material that transmits light adds 0.4 KB, more than 8
+/// generations of rays add 1.4 KB, and a sphereflake adds 0.9 KB.
 ///
 /// ```
 /// use embedded_graphics::mock_display::MockDisplay;
@@ -47,7 +48,8 @@ pub struct Renderer<'s, O: Observer = ()> {
 }
 
 impl<'s> Renderer<'s> {
-    /// Returns a renderer for a picture of `size` pixels, clamped to 65535 per side.
+    /// Returns a renderer for a picture of `size` pixels. The width and the height are clamped to
+    /// 65535 pixels.
     pub fn new(scene: &'s PreparedScene<'s>, size: Size) -> Self {
         Self::with_observer(scene, size, ())
     }
@@ -66,8 +68,8 @@ impl<'s, O: Observer> Renderer<'s, O> {
 
     scanline_methods!();
 
-    /// Returns the linear color of a pixel, which equals that of [`line`](Self::line); black
-    /// outside the picture.
+    /// Returns the linear color of pixel (x, y), or black if the pixel is outside the picture. The
+    /// color equals the color that [`line`](Self::line) returns for the pixel.
     pub fn pixel(&mut self, x: u32, y: u32) -> Color<Radiance> {
         self.tracer.pixel(&self.rays, x, y, &mut self.observer)
     }
@@ -75,7 +77,7 @@ impl<'s, O: Observer> Renderer<'s, O> {
     /// Draws the whole picture, from top to bottom.
     ///
     /// # Errors
-    /// The first error of the display, which ends drawing.
+    /// Drawing stops at the first error of the display and returns that error.
     pub fn draw<D>(&mut self, target: &mut D) -> Result<(), D::Error>
     where
         D: DrawTarget<Color: DisplayColor>,
@@ -84,7 +86,8 @@ impl<'s, O: Observer> Renderer<'s, O> {
         self.step(&mut RenderProgress::scanlines(area), Step::Pass, target)
     }
 
-    /// Traces line `y`, pixel by pixel as the iterator advances.
+    /// Returns an iterator over the pixels of line `y`. Each pixel is traced when the iterator
+    /// reaches it.
     fn pixels(&mut self, y: u32) -> PixelIter<'_, 's, O> {
         let columns = self.rays.columns();
         self.tracer
@@ -96,7 +99,7 @@ impl<'s, O: Observer> Renderer<'s, O> {
 mod tests {
     use super::*;
 
-    /// The limit holds on 64-bit hosts; a 32-bit core needs less.
+    /// Checks the size on a 64-bit host. On a 32-bit core a renderer is smaller.
     #[test]
     fn has_documented_size() {
         let size = size_of::<Renderer<'_>>();

@@ -3,14 +3,14 @@ use embedded_graphics_core::primitives::Rectangle;
 
 use crate::render::column_range::ColumnRange;
 
-/// Rest of a row of blocks, clipped to the picture.
+/// The part of a row of blocks that remains to be drawn, clipped to the picture.
 pub(crate) struct RowSpan {
     pub(crate) y: u32,
     /// Columns of the pixels to trace.
     pub(crate) columns: ColumnRange,
     /// Side of a block in pixels.
     pub(crate) block: u8,
-    /// Bottom end of the area, exclusive.
+    /// Line below the last line of the area to draw.
     pub(crate) bottom: u32,
 }
 
@@ -25,18 +25,18 @@ impl RowSpan {
         }
     }
 
-    /// Returns true if all pixels of the columns are traced, without gaps.
+    /// Returns true if the columns have no gaps, so that all pixels of the row are traced.
     pub(crate) fn is_contiguous(&self) -> bool {
         self.columns.spacing == 0
     }
 
-    /// Returns the area of a row of single pixels.
+    /// Returns the area that the row covers. The row must consist of single pixels.
     pub(crate) fn area(&self) -> Rectangle {
         let ColumnRange { from, to, .. } = self.columns;
         Rectangle::new(self.point(from), Size::new(to - from, 1))
     }
 
-    /// Returns the block whose top left pixel is in column `x`, clipped to the area.
+    /// Returns the block whose top left pixel is in column `x`, clipped to the area to draw.
     pub(crate) fn block_at(&self, x: u32) -> Rectangle {
         let side = |start: u32, end: u32| u32::from(self.block).min(end.saturating_sub(start));
         let size = Size::new(side(x, self.columns.to), side(self.y, self.bottom));

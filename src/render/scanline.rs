@@ -1,4 +1,4 @@
-//! Scanlines whose pixels are traced lazily.
+//! Tracing of scanlines by an iterator, which traces each pixel only when it is requested.
 
 use crate::geometry::PrimitivePart;
 use crate::math::{Color, Radiance};
@@ -10,7 +10,7 @@ use crate::render::scanline_culler::ScanlineCuller;
 use crate::render::scanline_rays::ScanlineRays;
 use crate::trace::Tracer;
 
-/// Traces scanlines of a scene.
+/// Tracer of the scanlines of a scene.
 #[derive(Clone, Debug)]
 pub(crate) struct ScanlineTracer<'s> {
     scene: &'s PreparedScene<'s>,
@@ -27,7 +27,8 @@ impl<'s> ScanlineTracer<'s> {
         }
     }
 
-    /// Returns an iterator that traces some columns of line `y`; empty outside the picture.
+    /// Returns an iterator that traces some columns of line `y`. The iterator is empty if `y` is
+    /// outside the picture.
     #[inline(never)]
     pub(crate) fn pixels<'r, O: Observer>(
         &'r mut self,
@@ -50,7 +51,7 @@ impl<'s> ScanlineTracer<'s> {
         }
     }
 
-    /// Traces a single pixel; returns black outside the picture.
+    /// Traces pixel (x, y) and returns its color, or black if the pixel is outside the picture.
     pub(crate) fn pixel(
         &mut self,
         rays: &CameraRays,
@@ -70,7 +71,7 @@ impl<'s> ScanlineTracer<'s> {
     }
 }
 
-/// Iterator that traces the pixels of a scanline and returns their columns and colors.
+/// Iterator that traces the pixels of a scanline and returns the column and color of each.
 pub(crate) struct PixelIter<'r, 's, O> {
     directions: ScanlineRays,
     x: u32,

@@ -1,8 +1,8 @@
 //! Culling of objects per scanline.
 //!
-//! The camera rays of a scanline lie in a plane, which cuts an object's bounding sphere in a
-//! circle. The tangents from the eye to that circle bound the columns in which the object can be
-//! visible.
+//! The camera rays of a scanline lie in a plane through the eye. If the plane cuts the bounding
+//! sphere of an object, the section is a circle. The two tangents from the eye to the circle bound
+//! the columns in which the object can be visible.
 
 use fixed::types::I8F56;
 use heapless::Vec;
@@ -14,20 +14,22 @@ use crate::render::camera_rays::CameraRays;
 use crate::render::scanline_plane::ScanlinePlane;
 use crate::trace::{Candidates, MAX_CANDIDATES};
 
-/// Spans of the objects that a scanline may show, and the candidates at the current column.
+/// Finder of the objects that the rays of a scanline may hit.
 ///
-/// If more than [`MAX_CANDIDATES`] objects may be visible in a scanline, its rays are tested against all
-/// objects of the scene.
+/// The culler stores a span of columns for each object that may be visible in the scanline. If
+/// there are more than [`MAX_CANDIDATES`] such objects, the rays of the scanline are tested against
+/// all objects of the scene.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ScanlineCuller {
     spans: Vec<Span, MAX_CANDIDATES>,
-    /// Index from which on all spans belong to planes.
+    /// All spans from this index to the end of the list belong to planes.
     first_plane_span: u8,
-    /// Index from which on all spans belong to planes that are parallel to the scanline.
+    /// All spans from this index to the end of the list belong to planes that are parallel to the
+    /// scanline.
     first_parallel_span: u8,
     /// Objects whose spans contain the current column.
     active: Candidates,
-    /// First column at which `active` may be out of date.
+    /// Next column at which a span begins or ends, so that `active` must be updated.
     next_event: u32,
 }
 
@@ -42,8 +44,8 @@ struct Span {
 impl ScanlineCuller {
     /// Computes the spans of line `y`.
     ///
-    /// Bounded objects come first, in the order in which secondary rays test them, so that
-    /// coincident surfaces resolve the same way for all rays.
+    /// Bounded objects come first, in the order in which secondary rays test them. If surfaces of
+    /// two objects coincide, all rays then agree on the object that they hit.
     pub(crate) fn set_row(&mut self, scene: &PreparedScene<'_>, rays: &CameraRays, y: u32) {
         self.spans.clear();
         self.next_event = 0;
@@ -75,12 +77,13 @@ impl ScanlineCuller {
         self.active.is_complete = fits;
     }
 
-    /// Adds a span unless it is empty. Returns false if there is no room for it.
+    /// Adds a span unless the span is empty. Returns false if the list of spans is full.
     fn add(&mut self, object: u16, [from, to]: [u16; 2]) -> bool {
         from >= to || self.spans.push(Span { object, from, to }).is_ok()
     }
 
-    /// Returns the candidates of column `x`, which must not be less than in the previous call.
+    /// Returns the objects that the ray of column `x` may hit. `x` must not be less than in the
+    /// previous call for the same scanline.
     pub(crate) fn at_column(&mut self, x: u32) -> &mut Candidates {
         if x >= self.next_event {
             self.advance(x);
@@ -90,7 +93,7 @@ impl ScanlineCuller {
 
     /// Updates `active` and `next_event` for column `x`.
     ///
-    /// Out of line: runs only where spans begin or end.
+    /// The function is not inlined, because it runs only at columns where a span begins or ends.
     #[inline(never)]
     fn advance(&mut self, x: u32) {
         let active = &mut self.active;
@@ -108,7 +111,7 @@ impl ScanlineCuller {
                 active.are_planes &= index >= self.first_plane_span;
                 active.is_coplanar &=
                     active.objects.is_empty() && index >= self.first_parallel_span;
-                // `objects` has the capacity of `spans`, so this push cannot fail.
+                // The push cannot fail, because `objects` has the same capacity as `spans`.
                 let _ = active.objects.push(span.object);
             }
         }
@@ -117,16 +120,17 @@ impl ScanlineCuller {
 
 /// Returns the columns in which a bounding sphere may be visible, or `None` if there are none.
 ///
-/// Let the sphere's center be u to the right of the eye, e ahead of it and a off the scanline's
-/// plane, and r its radius. The plane cuts the sphere in a circle of radius
-/// `P = sqrt((r - a) (r + a))`. With `L² = u² + e² + a² - r²`, the tangents from the eye have the
-/// slopes `(u e ± P L) / (e² - P²)`. Only the difference of e and P can suffer cancellation.
+/// Let r be the radius of the sphere. Let its center be u to the right of the eye, e in front of
+/// the eye, and a away from the plane of the scanline's rays. The plane cuts the sphere in a circle
+/// of radius `P = sqrt((r - a) (r + a))`. Let `L² = u² + e² + a² - r²`. The tangents from the eye
+/// to the circle have the slopes `(u e ± P L) / (e² - P²)`. Cancellation can lose precision only in
+/// the difference of e and P.
 fn visible_columns(bound: &BoundingSphere, plane: &ScanlinePlane) -> Option<[u16; 2]> {
-    /// Bound of all rounding errors.
+    /// Upper bound of the sum of all rounding errors, added to the radius.
     const MARGIN: Length = Length::lit("0.00001");
     let radius: Length = bound.radius + (bound.radius >> 10) + MARGIN;
     let center = bound.center - plane.eye;
-    // Q58 -> Q26 -> Q28
+    // The component along an axis has Q58. Its upper word has Q26 and is shifted to Q28.
     let along = |axis| Length::from_bits(high(center.along(axis).to_bits()) << 2);
     let offset = along(plane.normal);
     if offset.abs() > radius {
@@ -147,7 +151,7 @@ fn visible_columns(bound: &BoundingSphere, plane: &ScanlinePlane) -> Option<[u16
     let half_width = circle.product(tangent);
     let divisor = (forward - circle).product(forward.saturating_add(circle));
     let end = |n: I8F56| plane.column(n.to_bits(), divisor.to_bits() as u64);
-    // One column wider on both sides; `to` is exclusive.
+    // The range is widened by one column on each side. `to` is the column after the last one.
     let from = end(middle - half_width).saturating_sub(1);
     let to = end(middle + half_width).saturating_add(2);
     Some([from.min(plane.width), to.min(plane.width)])

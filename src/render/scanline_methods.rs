@@ -1,11 +1,12 @@
 /// Defines the public methods that [`Renderer`](crate::Renderer) and
 /// [`AntialiasedRenderer`](crate::render::AntialiasedRenderer) have in common.
 ///
-/// The type must have the fields `rays` (its `CameraRays`), `output` and `observer`, and a method
-/// `pixels(&mut self, y)`, which returns an iterator over the columns and colors of line `y`.
+/// The type that invokes this macro must have the fields `rays` (its `CameraRays`), `output` and
+/// `observer`. It must also have a method `pixels(&mut self, y)`, which returns an iterator over
+/// the columns and colors of line `y`.
 macro_rules! scanline_methods {
     () => {
-        /// Returns the observer.
+        /// Returns the observer that the renderer reports rays to.
         pub fn observer(&self) -> &O {
             &self.observer
         }
@@ -15,7 +16,8 @@ macro_rules! scanline_methods {
             self.output
         }
 
-        /// Sets the conversion of linear colors to display colors, for lines drawn from now on.
+        /// Sets the conversion of linear colors to display colors. Lines that have already been
+        /// drawn do not change.
         pub fn set_output(&mut self, output: $crate::render::Output) {
             self.output = output;
         }
@@ -46,7 +48,7 @@ macro_rules! scanline_methods {
         /// Draws line `y` by one call of `fill_contiguous`.
         ///
         /// # Errors
-        /// The error of the display. The line can be drawn again.
+        /// Returns the error of the display if the call fails. The line can then be drawn again.
         pub fn draw_line<D>(&mut self, y: u32, target: &mut D) -> Result<(), D::Error>
         where
             D: embedded_graphics_core::draw_target::DrawTarget<Color: $crate::render::DisplayColor>,

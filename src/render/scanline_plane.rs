@@ -1,4 +1,4 @@
-//! Plane through the eye that contains the camera rays of a scanline.
+//! The plane that contains the eye and all camera rays of a scanline.
 
 use crate::geometry::{Plane, Point};
 use crate::math::{
@@ -8,7 +8,11 @@ use crate::math::{
 use crate::prepare::Camera;
 use crate::render::camera_rays::CameraRays;
 
-/// Plane of the camera rays of a scanline, with `Y` as in [`CameraRays`].
+/// The plane that contains the eye and all camera rays of a scanline.
+///
+/// In the formulas of the fields, f, r and u are the camera's forward, right and up vectors. g is
+/// half the size of a pixel at distance 1, and `Y = (height - 2y - 1) g` is the elevation of line
+/// y.
 pub(crate) struct ScanlinePlane {
     pub(crate) eye: Vec3<Length>,
     /// Unit vector through the middle of the line: `(f + Y u) / sqrt(1 + Y²)`.
@@ -16,9 +20,10 @@ pub(crate) struct ScanlinePlane {
     /// Unit normal of the plane: `(u - Y f) / sqrt(1 + Y²)`.
     pub(crate) normal: Vec3<Unit>,
     pub(crate) right: Vec3<Unit>,
-    /// Directions of the first and the last ray, not of unit length.
+    /// Directions of the first and the last ray. They do not have unit length.
     ends: [Vec3<Unit>; 2],
-    /// Half pixels per unit of slope `right / forward`: `sqrt(1 + Y²) / g`.
+    /// Number of half pixels by which the column changes per unit of slope: `sqrt(1 + Y²) / g`. The
+    /// slope of a ray is its component to the right divided by its component forward.
     scale: SoftFloat,
     pub(crate) width: u16,
 }
@@ -27,11 +32,12 @@ impl ScanlinePlane {
     /// Returns the plane of line `y`, or of the last line if `y` is outside the picture.
     pub(crate) fn new(camera: &Camera, rays: &CameraRays, y: u32) -> Self {
         let elevation = rays.elevation(y);
-        // 1 + Y² in Q48, its root (1 to 12) in Q24, and the inverse of the root in Q30.
+        // `square` is 1 + Y² in Q48. Its root, from 1 to 12, has Q24. `cosine` is the reciprocal of
+        // the root, in Q30.
         let square = (1 << 48) + (elevation.square() >> 4) as u64;
         let inverse = inverse_length_outlined(square);
         let cosine = (inverse.inverse >> 9_u32.saturating_sub(inverse.half_shift)) as i32;
-        // Q26 * Q30 -> Q30
+        // The sine is Y times the cosine: the product of Q26 and Q30 is shifted to Q30.
         let sine = (elevation.product(cosine) >> 26) as i32;
         let (forward, up) = (&camera.forward, &camera.up);
         let y = y.min(rays.height.saturating_sub(1));
@@ -46,9 +52,10 @@ impl ScanlinePlane {
         }
     }
 
-    /// Returns true if a ray of the scanline may approach the plane.
+    /// Returns true if a ray of the scanline may come closer to `plane`, so that it may hit the
+    /// plane.
     pub(crate) fn may_intersect(&self, plane: &Plane) -> bool {
-        /// Bound of the rounding error of `cosine`, Q60.
+        /// Upper bound of the rounding error of `cosine`, in Q60.
         const MARGIN: i64 = 1 << 34;
         let depth = plane.depth(Point::near(self.eye));
         let approaches = |end| {
@@ -58,10 +65,11 @@ impl ScanlinePlane {
         self.ends.iter().any(approaches)
     }
 
-    /// Returns true if the scanline runs parallel to the plane, so that all rays have exactly the
-    /// same ray parameter t at the plane.
+    /// Returns true if the scanline is parallel to `plane`. All rays of the scanline then meet the
+    /// plane at exactly the same ray parameter t.
     pub(crate) fn is_parallel(&self, plane: &Plane) -> bool {
-        // A zero component of `right` stays exactly zero in the steps from ray to ray.
+        // If a component of `right` is zero, that component of the ray directions is exactly the
+        // same for all rays of the scanline.
         let contributes_nothing = |n, right| n == Unit::ZERO || right == Unit::ZERO;
         plane
             .normal
@@ -69,17 +77,20 @@ impl ScanlinePlane {
             .all(|nothing| nothing)
     }
 
-    /// Returns the column of the ray with slope `n / d` (right over forward), rounded down and
-    /// clamped to 0..=65535.
+    /// Returns the column of the ray with slope `n / d`, rounded down and clamped to 0..=65535. The
+    /// slope is the ray's component to the right divided by its component forward.
     ///
-    /// Out of line: runs twice per bounding sphere and scanline.
+    /// The function is not inlined, because it runs only twice per bounding sphere and scanline.
     #[inline(never)]
     pub(crate) fn column(&self, n: i64, d: u64) -> u16 {
         if n == 0 {
             return self.width / 2;
         }
         let ratio = quotient(n.unsigned_abs(), d);
-        // Half pixels: 2^30 n/d * 2^30 Q24/Q58, with the exponent lowered by 32.
+        // `pixels` is the column in half pixels from the middle of the line. `ratio` is 2^30 n/d.
+        // `scale` is 2^-4 times its true value, because it is 2^30 times a quotient of Q24 by Q58.
+        // Their product is therefore 2^26 times the result. Taking its upper word divides it by
+        // 2^32, and adding 6 to the exponent multiplies it by 2^6.
         let pixels = SoftFloat {
             mantissa: (wide(ratio.mantissa, self.scale.mantissa) >> 32) as u32,
             exponent: ratio.exponent + self.scale.exponent + 6,
@@ -94,16 +105,16 @@ impl ScanlinePlane {
     }
 }
 
-/// Returns `p a + q b`, with `p` and `q` in Q30.
+/// Returns the vector `p a + q b`. The numbers `p` and `q` have Q30.
 #[inline(never)]
 fn combination(a: &Vec3<Unit>, p: i32, b: &Vec3<Unit>, q: i32) -> Vec3<Unit> {
-    // Q60 -> Q28 -> Q30
+    // The sum has Q60. Its upper word has Q28 and is shifted to Q30.
     a.zip(*b, |a, b| {
         Unit::from_bits(high(a.to_bits().product(p) + b.to_bits().product(q)) << 2)
     })
 }
 
-/// Returns the dot product of a direction and a unit normal, Q60.
+/// Returns the dot product of a direction and a unit normal, in Q60.
 #[inline(never)]
 fn cosine(direction: &Vec3<Unit>, normal: &Vec3<Unit>) -> i64 {
     direction.dot(*normal).to_bits()

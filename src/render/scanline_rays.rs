@@ -3,18 +3,20 @@ use crate::render::column_range::ColumnRange;
 
 /// Iterator over the directions of a scanline's camera rays.
 ///
-/// Directions are not normalized; they are at most 7/8 long. Each step adds a constant vector in
-/// Q62, whose rounding errors stay far below the 2^-30 steps of the result.
+/// The directions are at most 7/8 long and are not normalized. The iterator adds a constant vector
+/// in Q62 to get from one direction to the next. The rounding errors of these additions stay far
+/// below 2^-30, the resolution of the directions that it returns.
 #[derive(Clone, Debug)]
 pub(crate) struct ScanlineRays {
-    /// Next direction in Q62, plus half a step of Q30 so that truncation rounds.
+    /// Next direction in Q62, plus 2^-31, so that truncation to Q30 rounds to nearest.
     direction: Vec3<i64>,
     step: Vec3<i64>,
     remaining: u32,
 }
 
 impl ScanlineRays {
-    /// Returns `count` directions, from `first` in steps of `step`, both in Q62.
+    /// Returns an iterator over `count` directions. The first direction is `first`, and each
+    /// further direction is the previous one plus `step`. Both vectors have Q62.
     pub(super) fn new(first: Vec3<i64>, step: Vec3<i64>, count: u32) -> Self {
         Self {
             direction: first.map(|c| c.wrapping_add(1 << 31)),
@@ -23,7 +25,8 @@ impl ScanlineRays {
         }
     }
 
-    /// Returns the next direction and the one `count` steps after it, even beyond the end.
+    /// Returns the next direction and the direction `count` rays after it, even if the iterator
+    /// ends before.
     pub(super) fn ends(&self, count: i32) -> [Vec3<Unit>; 2] {
         [self.direction, offset(self.direction, &self.step, count)].map(to_unit)
     }
@@ -35,7 +38,7 @@ impl ScanlineRays {
         self.remaining = self.remaining.saturating_sub(count);
     }
 
-    /// Keeps the rays of some columns, given the rays of a whole scanline.
+    /// Returns only the rays of the given columns. `self` must contain all rays of the scanline.
     pub(crate) fn through(mut self, columns: ColumnRange) -> Self {
         let ColumnRange { from, to, spacing } = columns;
         let to = to.min(self.remaining);
@@ -54,7 +57,6 @@ impl ScanlineRays {
 impl Iterator for ScanlineRays {
     type Item = Vec3<Unit>;
 
-    #[inline(always)]
     fn next(&mut self) -> Option<Vec3<Unit>> {
         self.remaining = self.remaining.checked_sub(1)?;
         let direction = to_unit(self.direction);
@@ -67,16 +69,15 @@ impl Iterator for ScanlineRays {
     }
 }
 
-/// Returns `direction + count * step`, wrapping around on overflow.
+/// Returns `direction + count * step`. The sum wraps around on overflow.
 ///
-/// Out of line: runs a few times per scanline.
+/// The function is not inlined, because it runs only a few times per scanline.
 #[inline(never)]
 pub(super) fn offset(direction: Vec3<i64>, step: &Vec3<i64>, count: i32) -> Vec3<i64> {
     direction.zip(*step, |d, s| d.wrapping_add(s.wrapping_mul(count.into())))
 }
 
-/// Truncates Q62 to Q30.
-#[inline(always)]
+/// Truncates a direction from Q62 to Q30.
 fn to_unit(direction: Vec3<i64>) -> Vec3<Unit> {
     direction.map(|c| Unit::from_bits(high(c)))
 }

@@ -1,4 +1,5 @@
-//! Compares culled scanlines with rays that are tested against all objects.
+//! Tests that culling does not change pictures: each pixel of a culled scanline is compared with a
+//! ray that is tested against all objects.
 #![allow(clippy::unwrap_used)]
 extern crate std;
 
@@ -28,7 +29,7 @@ fn point(rng: &mut Rng, max: f64) -> Vec3<Real> {
     Vec3::new(c(), c(), c())
 }
 
-/// Returns a random shape: mostly spheres of all sizes, some of them around the eye.
+/// Returns a random shape. Most shapes are spheres; they have all sizes, and some contain the eye.
 fn shape(rng: &mut Rng) -> Shape {
     let center = point(rng, 2.0);
     let radius = Real::from_num(10_f64.powf(-2.3 + 2.5 * rng.f64()));
@@ -61,7 +62,8 @@ fn shape(rng: &mut Rng) -> Shape {
     }
 }
 
-/// Returns materials that emit different colors, so that each pixel identifies its object.
+/// Returns materials that emit different colors, so that the color of a pixel identifies the
+/// material of the object.
 fn materials(rng: &mut Rng) -> Vec<Material> {
     let mut glow = || real(rng, 0.1, 1.0);
     (0..8)
@@ -131,7 +133,8 @@ fn culling_does_not_change_pixels_of_random_scenes() {
     assert!(seen > pixels / 4 && (SCENES == 1 || seen < pixels * 9 / 10));
 }
 
-/// The planes are clipped at random: some reach beyond the near range, some end in view.
+/// The planes of this test are clipped at random. Some reach beyond the near range (coordinates
+/// within ±3.5), and some end in view.
 #[test]
 fn culling_does_not_change_pixels_of_level_planes() {
     let mut rng = Rng::with_seed(9);
@@ -173,8 +176,9 @@ fn culling_does_not_change_pixels_of_level_planes() {
     assert!(seen > pixels / 10);
 }
 
-/// A row of spheres fills the spans of a scanline up to one less, all and one more than there
-/// is room for, with and without a plane behind them.
+/// A scanline has room for the spans of `MAX_CANDIDATES` objects. The test draws rows of
+/// `MAX_CANDIDATES - 1`, `MAX_CANDIDATES` and `MAX_CANDIDATES + 1` spheres, each with and without a
+/// plane behind the spheres.
 #[test]
 fn scanline_with_too_many_objects_shows_all_objects() {
     let mut rng = Rng::with_seed(8);

@@ -22,7 +22,8 @@ use crate::scene::{Camera, CapacityError, Light, Material, MaterialId, Object, S
 /// ```
 #[derive(Clone, Debug)]
 pub struct SceneBuilder<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize> {
-    /// Camera, ambient light, background and limits of the scene. Its lists are ignored.
+    /// Camera, ambient light, background and limits of the scene. The lists in this scene are
+    /// ignored.
     pub settings: Scene<'static>,
     objects: Vec<Object, OBJECTS>,
     lights: Vec<Light, LIGHTS>,
@@ -32,7 +33,7 @@ pub struct SceneBuilder<const OBJECTS: usize, const LIGHTS: usize, const MATERIA
 impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize>
     SceneBuilder<OBJECTS, LIGHTS, MATERIALS>
 {
-    /// Returns an empty builder with the settings of [`Scene::new`].
+    /// Returns an empty builder. Its settings are those of [`Scene::new`].
     pub const fn new(camera: Camera) -> Self {
         Self {
             settings: Scene::new(camera),
@@ -42,11 +43,11 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize>
         }
     }
 
-    /// Adds a material and returns its number, for the objects that use it.
+    /// Adds a material. Returns its number, which objects use to refer to the material.
     ///
     /// # Errors
-    /// [`SceneProblem::TooMany`](crate::scene::SceneProblem::TooMany) if there are `MATERIALS`
-    /// materials already.
+    /// Returns [`SceneProblem::TooMany`](crate::scene::SceneProblem::TooMany) if the builder
+    /// already has `MATERIALS` materials.
     pub fn material(&mut self, material: Material) -> Result<MaterialId, SceneError> {
         let id = MaterialId(self.materials.len() as u16);
         self.materials
@@ -58,8 +59,8 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize>
     /// Adds a light.
     ///
     /// # Errors
-    /// [`SceneProblem::TooMany`](crate::scene::SceneProblem::TooMany) if there are `LIGHTS` lights
-    /// already.
+    /// Returns [`SceneProblem::TooMany`](crate::scene::SceneProblem::TooMany) if the builder
+    /// already has `LIGHTS` lights.
     pub fn light(&mut self, light: Light) -> Result<(), SceneError> {
         self.lights
             .push(light)
@@ -69,8 +70,8 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize>
     /// Adds an object and returns its index.
     ///
     /// # Errors
-    /// [`SceneProblem::TooMany`](crate::scene::SceneProblem::TooMany) if there are `OBJECTS`
-    /// objects already.
+    /// Returns [`SceneProblem::TooMany`](crate::scene::SceneProblem::TooMany) if the builder
+    /// already has `OBJECTS` objects.
     pub fn object(&mut self, object: Object) -> Result<usize, SceneError> {
         let index = self.objects.len();
         self.objects
@@ -79,17 +80,17 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize>
         Ok(index)
     }
 
-    /// Returns the objects, for changes between frames.
+    /// Returns the objects, so that a program can change them between frames.
     pub fn objects_mut(&mut self) -> &mut [Object] {
         &mut self.objects
     }
 
-    /// Returns the lights, for changes between frames.
+    /// Returns the lights, so that a program can change them between frames.
     pub fn lights_mut(&mut self) -> &mut [Light] {
         &mut self.lights
     }
 
-    /// Returns the scene, which borrows the lists of the builder.
+    /// Returns the scene that was built. The scene borrows the lists of the builder.
     pub fn scene(&self) -> Scene<'_> {
         Scene {
             objects: &self.objects,

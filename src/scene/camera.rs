@@ -1,21 +1,22 @@
 use crate::math::{Real, Rotation, Unit, Vec3, direction};
 
-/// Pinhole camera.
+/// A pinhole camera.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Camera {
-    /// Position of the pinhole.
+    /// Position of the camera's pinhole.
     pub eye: Vec3<Real>,
-    /// Point in the center of the picture. Its distance from the eye does not matter.
+    /// Point that appears in the center of the picture. The distance between this point and the
+    /// eye does not matter.
     pub look_at: Vec3<Real>,
-    /// Direction that points up in the picture, of any length and not parallel to the line of
-    /// sight.
+    /// Direction that points up in the picture. The vector may have any length, but must not be
+    /// parallel to the line of sight.
     pub up: Vec3<Real>,
-    /// Vertical field of view in degrees, 1 to 170.
+    /// Vertical field of view in degrees, from 1 to 170.
     pub fovy_deg: Real,
 }
 
 impl Camera {
-    /// Returns an upright camera: `up` is +y.
+    /// Returns an upright camera: its `up` is +y.
     pub const fn new(eye: Vec3<Real>, look_at: Vec3<Real>, fovy_deg: Real) -> Self {
         Self {
             eye,
@@ -25,14 +26,15 @@ impl Camera {
         }
     }
 
-    /// Returns the camera with its eye moved on a sphere around `look_at`.
+    /// Returns the camera with its eye moved along a sphere around `look_at`.
     ///
-    /// `yaw_deg` moves the eye to its right around `up`, `pitch_deg` moves it up, both in
-    /// degrees. Pitch stops 1 degree short of straight above or below `look_at`.
+    /// `yaw_deg` moves the eye to the right, around `up`. `pitch_deg` moves the eye up. Both
+    /// angles are in degrees. The eye stops 1 degree before it is straight above or below
+    /// `look_at`. If the eye already is straight above or below `look_at`, it does not move.
     ///
-    /// Angles are exact at multiples of 90 degrees and within 0.11 degrees elsewhere. The
-    /// distance from `look_at` changes by at most a factor of 1 ± 2^-28, so repeated orbits do
-    /// not drift visibly. An eye straight above or below `look_at` does not move.
+    /// Angles are exact at multiples of 90 degrees; elsewhere their error is below 0.11
+    /// degrees. Each orbit changes the distance from `look_at` by at most a factor of 1 ±
+    /// 2^-28, so repeated orbits do not drift visibly.
     ///
     /// ```
     /// use whitted::{Camera, Real, Vec3};
@@ -48,7 +50,8 @@ impl Camera {
         let (Some(up), Some(view)) = (up, view) else {
             return self;
         };
-        // Points left as seen from the eye, so a positive rotation around it raises the eye.
+        // `level` is horizontal and points left as seen from the eye, so a positive rotation
+        // around it raises the eye.
         let Some(level) = direction(view.cross(up)) else {
             return self;
         };
@@ -62,11 +65,13 @@ impl Camera {
     }
 }
 
-/// Returns the rotation around `level` that raises the eye by `degrees`, limited so that the eye
-/// stays 1 degree short of the poles.
+/// Returns the rotation around `level` that raises the eye by `degrees`. The rotation is
+/// limited so that it does not bring the eye closer than 1 degree to the poles, the points
+/// straight above and below `look_at`.
 fn pitch(view: Vec3<Unit>, up: Vec3<Unit>, level: Vec3<Unit>, degrees: Real) -> Rotation {
     const HALF: Real = Real::lit("180");
-    /// Elevation of 89 degrees. A `const`, so that the literals are parsed at compile time.
+    /// An elevation of 89 degrees. This is a `const` so that its literals are parsed at compile
+    /// time.
     const STEEPEST: Rotation = Rotation {
         cos: Unit::lit("0.0174524064"),
         sin: Unit::lit("0.9998476952"),
@@ -88,8 +93,8 @@ fn pitch(view: Vec3<Unit>, up: Vec3<Unit>, level: Vec3<Unit>, degrees: Real) -> 
     limit.then(elevation.back())
 }
 
-/// Rotates `v` around a unit axis (Rodrigues 1840):
-/// `v cos + (axis × v) sin + axis (axis · v) (1 - cos)`, rounded to Q32 and saturated.
+/// Rotates `v` around a unit axis (Rodrigues 1840). The result is rounded to Q32 and saturated:
+/// `v cos + (axis × v) sin + axis (axis · v) (1 - cos)`.
 fn rotate(v: Vec3<Real>, axis: Vec3<Unit>, turn: Rotation) -> Vec3<Real> {
     let v = v.map(|c| i128::from(c.to_bits()));
     let Vec3 { x, y, z } = axis.map(|c| i64::from(c.to_bits()));
@@ -104,9 +109,10 @@ fn rotate(v: Vec3<Real>, axis: Vec3<Unit>, turn: Rotation) -> Vec3<Real> {
         })
 }
 
-/// Returns `x a + y b + z c` in Q32, rounded to nearest: Q32 * Q30 -> Q62 -> Q32.
+/// Returns `x a + y b + z c` in Q32, rounded to nearest. The products of Q32 and Q30 have Q62
+/// and are shifted to Q32.
 ///
-/// Out of line, because products of 128 bits take much code.
+/// Kept out of line, because products of 128 bits take much code.
 #[inline(never)]
 fn dot([x, y, z]: [i128; 3], [a, b, c]: [i64; 3]) -> i128 {
     let sum = x * i128::from(a) + y * i128::from(b) + z * i128::from(c);

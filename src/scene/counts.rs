@@ -1,7 +1,9 @@
-/// Numbers of items of a scene, or capacities of a [`SceneBuffer`](crate::SceneBuffer).
+/// Numbers of objects, lights and materials: those of a scene, or the capacities of a
+/// [`SceneBuffer`](crate::SceneBuffer).
 ///
-/// [`scene_buffer!`](crate::scene_buffer) turns counts into the type of a buffer with these
-/// capacities, so a program that uses both keeps compiling when scenes get new kinds of items.
+/// [`scene_buffer!`](crate::scene_buffer) returns the type of a buffer that has the given
+/// counts as its capacities. A program that uses this macro still compiles when a new version
+/// of the crate adds a kind of item.
 ///
 /// ```
 /// use whitted::scene::SceneCounts;
@@ -22,29 +24,30 @@ pub struct SceneCounts {
 }
 
 impl SceneCounts {
-    /// Counts of an empty scene.
+    /// The counts of an empty scene.
     pub const EMPTY: Self = Self {
         objects: 0,
         lights: 0,
         materials: 0,
     };
 
-    /// Returns these counts with another number of objects.
+    /// Returns these counts, but with the given number of objects.
     pub const fn objects(self, objects: usize) -> Self {
         Self { objects, ..self }
     }
 
-    /// Returns these counts with another number of lights.
+    /// Returns these counts, but with the given number of lights.
     pub const fn lights(self, lights: usize) -> Self {
         Self { lights, ..self }
     }
 
-    /// Returns these counts with another number of materials.
+    /// Returns these counts, but with the given number of materials.
     pub const fn materials(self, materials: usize) -> Self {
         Self { materials, ..self }
     }
 
-    /// Returns the larger of both counts for each kind of item: capacities that hold either scene.
+    /// Returns the larger of two counts for each kind of item. A buffer with these capacities
+    /// can hold either scene.
     pub const fn max(self, other: Self) -> Self {
         Self {
             objects: larger(self.objects, other.objects),
@@ -54,7 +57,7 @@ impl SceneCounts {
     }
 }
 
-/// Returns the larger number. (`Ord::max` is not `const`.)
+/// Returns the larger of two numbers. (`Ord::max` cannot be used because it is not `const`.)
 const fn larger(a: usize, b: usize) -> usize {
     if a > b { a } else { b }
 }

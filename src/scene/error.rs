@@ -4,7 +4,7 @@ use core::fmt;
 
 use crate::math::{Decimal, Real};
 
-/// Reason why a scene cannot be prepared: the item, its field and the problem.
+/// Reason why a scene cannot be prepared. The error names the item, its field and the problem.
 ///
 /// ```
 /// use whitted::scene::{SceneItem, SceneProblem};
@@ -18,15 +18,15 @@ use crate::math::{Decimal, Real};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SceneError {
-    /// Item that cannot be prepared.
+    /// The item that cannot be prepared.
     pub item: SceneItem,
-    /// Name of the item's field as in scene files, for example `"radius"`.
+    /// Name of the field that has the problem, as in scene files, for example `"radius"`.
     pub field: &'static str,
-    /// Problem of the field.
+    /// The problem of the field.
     pub problem: SceneProblem,
 }
 
-/// A list of a buffer is full.
+/// Error of a push to a list of a buffer that is already full.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct CapacityError {
     list: &'static str,
@@ -58,62 +58,63 @@ impl From<CapacityError> for DecodeError {
     }
 }
 
-/// Item of a scene. Lights, materials and objects are numbered from 0.
+/// An item of a scene. Lights, materials and objects are numbered from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SceneItem {
-    /// The settings and lists of [`Scene`](crate::Scene).
+    /// The scene itself: its settings and lists, as in [`Scene`](crate::Scene).
     Scene,
     /// The camera.
     Camera,
-    /// A light.
+    /// The light with this number.
     Light(u16),
-    /// A material.
+    /// The material with this number.
     Material(u16),
-    /// An object.
+    /// The object with this number.
     Object(u16),
 }
 
-/// Problem of a scene's field.
+/// Problem of a field of a scene.
 ///
-/// [`Display`](fmt::Display) writes a predicate that follows the name of the field, for example
-/// "must be from 1 to 170".
+/// [`Display`](fmt::Display) writes the problem as the end of a sentence that starts with the
+/// name of the field, for example "must be from 1 to 170".
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum SceneProblem {
-    /// The number is outside its range. Both ends of the range are allowed.
+    /// The number is outside the allowed range. The ends of the range are allowed.
     OutOfRange {
-        /// Least allowed value.
+        /// Smallest allowed number.
         least: Real,
-        /// Greatest allowed value.
+        /// Greatest allowed number.
         most: Real,
     },
-    /// The vector is too short to give a direction.
+    /// The vector is so short that it has no direction.
     NoDirection,
-    /// The camera's `look_at` is its `eye`.
+    /// The camera's `look_at` equals its `eye`, so there is no view direction.
     NoView,
     /// The camera's `up` is parallel to its line of sight.
     AlongView,
-    /// The camera's eye is outside the range that the scene was prepared for.
+    /// The camera's eye is outside the range for which the scene was prepared.
     OutOfReach,
-    /// The low end of the interval is not below its high end.
+    /// The interval is empty: its low end is not below its high end.
     EmptyInterval,
-    /// Both axes of the checkerboard are the same.
+    /// The two axes of the checkerboard are the same axis.
     SameAxis,
-    /// The vectors of the frame are not a right-handed orthonormal basis.
+    /// The three vectors of the `frame` are not a right-handed orthonormal basis.
     NotOrthonormal,
-    /// The number of the material is not below the number of materials.
+    /// The scene has no material with this number. Numbers start at 0.
     NoSuchMaterial {
         /// Number of the missing material.
         index: u16,
-        /// Number of materials of the scene.
+        /// Number of materials in the scene.
         count: u16,
     },
     /// The list is longer than the capacity of the buffer.
     TooMany {
-        /// Capacity of the buffer.
+        /// Capacity of the buffer for this list.
         capacity: u16,
     },
-    /// The crate was built without the named Cargo feature, which the value needs.
+    /// The value needs a Cargo feature that is disabled in this build. The feature is named
+    /// here.
     MissingFeature(&'static str),
 }
 
@@ -170,34 +171,35 @@ fn needs_feature(f: &mut fmt::Formatter<'_>, feature: &str) -> fmt::Result {
 
 impl core::error::Error for SceneError {}
 
-/// Reason why bytes cannot be decoded as a compiled scene.
+/// Reason why bytes cannot be decoded to a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum DecodeError {
     /// The bytes do not start with the magic number of a compiled scene.
     NotAScene,
-    /// The scene was compiled for another version of the format.
+    /// The scene was compiled for a different version of the format.
     Version {
-        /// Version of the scene.
+        /// Version of the compiled scene.
         found: u8,
-        /// Version that this crate decodes.
+        /// Version that this build of the crate decodes.
         expected: u8,
     },
-    /// There are fewer bytes than a header takes, or the checksum is right but the lists take
-    /// fewer or more bytes than there are.
+    /// The number of bytes is wrong. Either there are too few bytes for a header, or the
+    /// checksum is right but the lists take fewer or more bytes than there are.
     Length,
     /// The checksum is wrong: the bytes are damaged or truncated.
     Checksum,
-    /// Checksum and length are right, but a value of the item is invalid.
+    /// A value of the item is invalid, although the checksum and the length are right.
     Invalid(SceneItem),
-    /// A list is longer than the capacity of the buffer.
+    /// A list of the scene is longer than the capacity of the buffer.
     TooMany {
-        /// `"objects"`, `"lights"` or `"materials"`.
+        /// Name of the list: `"objects"`, `"lights"` or `"materials"`.
         list: &'static str,
-        /// Capacity of the buffer.
+        /// Capacity of the buffer for this list.
         capacity: u16,
     },
-    /// The crate was built without the named Cargo feature, which the scene needs.
+    /// The scene needs a Cargo feature that is disabled in this build. The feature is named
+    /// here.
     MissingFeature(&'static str),
 }
 
@@ -212,8 +214,8 @@ impl fmt::Display for DecodeError {
             Self::Length => f.write_str("wrong length: the scene is truncated or too long"),
             Self::Checksum => f.write_str("wrong checksum: the scene is damaged or truncated"),
             Self::Invalid(item) => write!(f, "{item} has an invalid value"),
-            // `SceneError` would format this too, but links the formatting of fixed-point numbers
-            // into firmware.
+            // The message is written here and not by `SceneError`, because `SceneError` would
+            // link the formatting of fixed-point numbers into firmware.
             Self::TooMany { list, capacity } => {
                 write!(f, "too many {list}: the buffer holds {capacity}")
             }

@@ -1,9 +1,9 @@
 use crate::math::{Color, Real, Vec3};
 
-/// Point light whose intensity does not fall off with distance.
+/// A point light. Its intensity does not decrease with distance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Light {
-    /// Position in world units.
+    /// Position of the light in world units.
     pub position: Vec3<Real>,
     /// Intensity `id` for diffuse reflection, 0 to 256 per channel.
     pub diffuse: Color<Real>,
@@ -12,7 +12,7 @@ pub struct Light {
 }
 
 impl Light {
-    /// Returns a light with the same diffuse and specular intensity.
+    /// Returns a light that has the same intensity for diffuse reflection and for highlights.
     pub const fn point(position: Vec3<Real>, color: Color<Real>) -> Self {
         Self {
             position,

@@ -1,32 +1,36 @@
 use crate::math::{Color, Real};
 
-/// Coefficients by which a surface reflects and transmits light (Whitted 1980, Phong 1975).
+/// Coefficients that say how a surface reflects and transmits light (Whitted 1980, Phong 1975).
 ///
-/// The coefficients are colors with channels from 0 to 1, except for `le`.
+/// Each coefficient is a color with channels from 0 to 1. Only `le` has a greater range.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Material {
-    /// Ambient reflection coefficient.
+    /// Coefficient of ambient reflection.
     pub ka: Color<Real>,
-    /// Diffuse (Lambertian) reflection coefficient.
+    /// Coefficient of diffuse (Lambertian) reflection.
     pub kd: Color<Real>,
-    /// Specular reflection coefficient: weight of the highlights of lights.
+    /// Coefficient of specular reflection: the weight of highlights.
     pub ks: Color<Real>,
-    /// Exponent of the highlight, 1 to 4096. Ignored if `ks` is black.
+    /// Exponent of the highlight, 1 to 4096. The exponent is ignored if `ks` is black.
     pub shininess: Real,
     /// Weight of the reflected ray.
     pub kr: Color<Real>,
-    /// Weight of the transmitted ray, and transmittance of the surface for shadow rays.
+    /// Weight of the transmitted ray. For shadow rays, this is the transmittance of the
+    /// surface.
     pub kt: Color<Real>,
-    /// Index of refraction, 1 to 4; see [`ior`]. Ignored if `kt` is black.
+    /// Index of refraction, 1 to 4. See [`ior`] for common values. The index is ignored if `kt`
+    /// is black.
     pub ior: Real,
-    /// Emitted radiance, 0 to 256 per channel.
+    /// Emitted radiance, from 0 to 256 per channel.
     pub le: Color<Real>,
-    /// Highlight model; `None` selects [`Scene::shading`](crate::Scene::shading).
+    /// Model of the highlight. `None` selects the model of the scene,
+    /// [`Scene::shading`](crate::Scene::shading).
     pub shading: Option<SpecularModel>,
 }
 
 impl Material {
-    /// Material with black coefficients, to be completed by struct update syntax.
+    /// A material whose coefficients are all black. Use it with struct update syntax to set
+    /// only some fields.
     pub const BLACK: Self = Self {
         ka: Color::gray(Real::ZERO),
         kd: Color::gray(Real::ZERO),
@@ -50,17 +54,19 @@ impl Default for Material {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MaterialId(pub u16);
 
-/// Model of highlights.
+/// Reflection model that highlights are computed with.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum SpecularModel {
-    /// Phong (1975): cosine of the angle between the view direction and the reflected light.
+    /// Phong's model (1975). A highlight depends on the angle between the view direction and
+    /// the reflected direction of the light.
     #[default]
     Phong,
-    /// Blinn (1977): cosine of the angle between the normal and the halfway vector.
+    /// Blinn's model (1977). A highlight depends on the angle between the normal and the
+    /// halfway vector.
     BlinnPhong,
 }
 
-/// Common indices of refraction.
+/// Indices of refraction of common substances.
 pub mod ior {
     use crate::math::Real;
 
@@ -79,7 +85,7 @@ pub mod ior {
     /// Index of diamond: 2.417.
     pub const DIAMOND: Real = Real::lit("2.417");
 
-    /// Indices of refraction by the names that scene files use.
+    /// Indices of refraction, with the names that scene files use for them.
     pub const NAMED: [(&str, Real); 7] = [
         ("vacuum", VACUUM),
         ("air", AIR),

@@ -1,17 +1,17 @@
 use crate::math::{Real, Vec3};
 use crate::scene::{ClipBox, MaterialId, Shape, Texture};
 
-/// Shape with its texture.
+/// A shape with a texture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Object {
     /// Surface of the object.
     pub shape: Shape,
-    /// Texture of the surface.
+    /// Texture that selects the material for each point of the surface.
     pub texture: Texture,
 }
 
 impl Object {
-    /// Returns a sphere of one material.
+    /// Returns a sphere that consists of one material.
     pub const fn sphere(center: Vec3<Real>, radius: Real, material: MaterialId) -> Self {
         Self {
             shape: Shape::Sphere { center, radius },
@@ -19,8 +19,8 @@ impl Object {
         }
     }
 
-    /// Returns an upright sphereflake of one material, each sphere a third as large as the one
-    /// that it touches.
+    /// Returns an upright sphereflake that consists of one material. The radius of each sphere
+    /// is a third of the radius of the larger sphere that it touches.
     ///
     /// ```
     /// use whitted::{Camera, Material, MaterialId, Object, Real, Scene, SceneBuffer, Vec3};
@@ -52,7 +52,7 @@ impl Object {
         }
     }
 
-    /// Returns an unbounded horizontal plane at height `y` whose normal points up.
+    /// Returns an unbounded horizontal plane at height `y`. The normal of the plane points up.
     pub const fn floor(y: Real, texture: Texture) -> Self {
         Self {
             shape: Shape::Plane {

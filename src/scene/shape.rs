@@ -2,73 +2,78 @@ use crate::math::{Real, Vec3};
 
 /// Surface of an object, in world units.
 ///
-/// A closed surface separates an inside from an outside: rays that it transmits are refracted
-/// at both crossings. An open surface has no inside. Axes of symmetry are parallel to y.
+/// A surface is closed or open. A closed surface has an inside: a ray that passes through is
+/// refracted where it enters and where it leaves. An open surface has no inside. Axes of
+/// symmetry are parallel to the y axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Shape {
-    /// Sphere; closed.
+    /// A sphere. Its surface is closed.
     Sphere {
-        /// Center.
+        /// Center of the sphere.
         center: Vec3<Real>,
-        /// Radius, above 0.
+        /// Radius of the sphere, above 0.
         radius: Real,
     },
-    /// Ellipsoid `x²/a² + y²/b² + z²/c² = 1`; closed.
+    /// An ellipsoid `x²/a² + y²/b² + z²/c² = 1`. Its surface is closed.
     Ellipsoid {
-        /// Center.
+        /// Center of the ellipsoid.
         center: Vec3<Real>,
-        /// Semi-axes a, b and c, above 0. The longest is at most 256 times the shortest.
+        /// Semi-axes a, b and c, all above 0. The longest may be at most 256 times the
+        /// shortest.
         radii: Vec3<Real>,
     },
-    /// Cylinder `x² + z² = r²` without caps; open if clipped by `y`, closed if unbounded.
+    /// A cylinder `x² + z² = r²` without caps. Its surface is open if it is clipped by `y`, and
+    /// closed if it is unbounded.
     Cylinder {
-        /// Point of the axis. `y` is relative to it.
+        /// A point on the axis. Heights `y` are relative to this point.
         origin: Vec3<Real>,
-        /// Radius, above 0.
+        /// Radius of the cylinder, above 0.
         radius: Real,
-        /// Low and high end along the axis; `None` for an unbounded cylinder.
+        /// Low and high end along the axis. `None` makes the cylinder unbounded.
         y: Option<[Real; 2]>,
     },
-    /// Double cone `x² + z² = (r/h)² (y - h)²` without caps, with a circle of radius r at y = 0
-    /// and the apex at y = h; open if clipped by `y`, closed if unbounded.
+    /// A double cone `x² + z² = (r/h)² (y - h)²` without caps. At y = 0 its radius is r, and
+    /// the apex is at y = h. Its surface is open if it is clipped by `y`, and closed if it is
+    /// unbounded.
     Cone {
-        /// Center of the circle. `y` is relative to it.
+        /// Center of the circle at y = 0. Heights `y` are relative to this point.
         origin: Vec3<Real>,
-        /// Radius of the circle, above 0.
+        /// Radius r of the circle at y = 0, above 0.
         radius: Real,
-        /// Height of the apex over the circle, negative for a cone that stands on its apex. Its
-        /// absolute value is 1/1024 to 1024 times the radius.
+        /// Height h of the apex above the circle. A negative height makes a cone that stands on
+        /// its apex. The absolute value is 1/1024 to 1024 times the radius.
         height: Real,
-        /// Low and high end along the axis, which may lie on both sides of the apex; `None` for an
-        /// unbounded double cone.
+        /// Low and high end along the axis. The two ends may lie on different sides of the
+        /// apex. `None` makes the double cone unbounded.
         y: Option<[Real; 2]>,
     },
-    /// Paraboloid `x² + z² = y`; open.
+    /// A paraboloid `x² + z² = y`. Its surface is open.
     Paraboloid {
-        /// Vertex. `y` is relative to it.
+        /// Vertex of the paraboloid. Heights `y` are relative to this point.
         origin: Vec3<Real>,
-        /// Low and high end along the axis. The high end is above 0.
+        /// Low and high end of the paraboloid along its axis. The high end is above 0.
         y: [Real; 2],
     },
-    /// Plane; closed if unbounded, with the half-space behind the normal as its inside, and open
-    /// if clipped.
+    /// A plane. An unbounded plane is closed: its inside is the half-space behind the normal. A
+    /// clipped plane is open.
     Plane {
-        /// Normal of any length but 0.
+        /// Normal of the plane. The vector may have any length except 0.
         normal: Vec3<Real>,
-        /// Point of the plane.
+        /// Any point of the plane.
         point: Vec3<Real>,
         /// Box in world coordinates that clips the plane.
         bounds: ClipBox,
     },
-    /// Sphereflake: a sphere touched by twelve smaller spheres, each of which is touched by twelve
-    /// smaller ones, and so on; closed.
+    /// A sphereflake: a sphere that is touched by twelve smaller spheres, each of which is
+    /// touched by twelve still smaller spheres, and so on. Its surface is closed.
     Sphereflake {
         /// Center of the largest sphere.
         center: Vec3<Real>,
         /// Radius of the largest sphere, above 0.
         radius: Real,
-        /// Number of generations of smaller spheres, 0 to 8. Six generations have 3,257,437 spheres.
+        /// Number of generations of smaller spheres, 0 to 8. A sphereflake with six generations has
+        /// 3,257,437 spheres.
         depth: u8,
         /// Ratio of a sphere's radius to the radius of its parent, 0.1 to 0.5.
         ratio: Real,
@@ -78,39 +83,40 @@ pub enum Shape {
 }
 
 impl Shape {
-    /// Returns the position, which animation tracks move.
+    /// Returns the fields that animation tracks change: the position, and the radius of a shape
+    /// that has exactly one.
+    fn animated_fields(&mut self) -> (&mut Vec3<Real>, Option<&mut Real>) {
+        match self {
+            Self::Sphere { center, radius } => (center, Some(radius)),
+            Self::Ellipsoid { center, .. } => (center, None),
+            Self::Cylinder { origin, radius, .. } => (origin, Some(radius)),
+            Self::Cone { origin, radius, .. } => (origin, Some(radius)),
+            Self::Paraboloid { origin, .. } => (origin, None),
+            Self::Plane { point, .. } => (point, None),
+            Self::Sphereflake { center, radius, .. } => (center, Some(radius)),
+        }
+    }
+
+    /// Returns the position of the shape. Animation tracks change this position.
     pub(crate) fn position_mut(&mut self) -> &mut Vec3<Real> {
-        match self {
-            Self::Sphere { center, .. }
-            | Self::Ellipsoid { center, .. }
-            | Self::Sphereflake { center, .. } => center,
-            Self::Cylinder { origin, .. }
-            | Self::Cone { origin, .. }
-            | Self::Paraboloid { origin, .. } => origin,
-            Self::Plane { point, .. } => point,
-        }
+        self.animated_fields().0
     }
 
-    /// Returns the radius, if the shape has a single one.
+    /// Returns the radius of the shape. Returns `None` if the shape does not have exactly one
+    /// radius.
     pub(crate) fn radius_mut(&mut self) -> Option<&mut Real> {
-        match self {
-            Self::Sphere { radius, .. }
-            | Self::Cylinder { radius, .. }
-            | Self::Cone { radius, .. }
-            | Self::Sphereflake { radius, .. } => Some(radius),
-            Self::Ellipsoid { .. } | Self::Paraboloid { .. } | Self::Plane { .. } => None,
-        }
+        self.animated_fields().1
     }
 
-    /// Returns true if the shape has a single radius.
+    /// Returns true if the shape has exactly one radius.
     pub(crate) fn has_radius(mut self) -> bool {
         self.radius_mut().is_some()
     }
 
-    /// Ratio of the classic sphereflake: 1/3.
+    /// Ratio of radii in the classic sphereflake: 1/3.
     pub const FLAKE_RATIO: Real = Real::from_bits(0x5555_5555);
 
-    /// Axes of an upright sphereflake: u = +x, v = -z, w = +y.
+    /// Axes of an upright sphereflake: u is +x, v is -z and w is +y.
     pub const FLAKE_FRAME: [Vec3<Real>; 3] = [
         Vec3::new(Real::ONE, Real::ZERO, Real::ZERO),
         Vec3::new(Real::ZERO, Real::ZERO, Real::NEG_ONE),
@@ -118,19 +124,20 @@ impl Shape {
     ];
 }
 
-/// Axis-aligned box in world coordinates that clips a plane. Low ends are below high ends.
+/// Axis-aligned box in world coordinates that clips a plane. On each clipped axis, the low end
+/// is below the high end.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ClipBox {
-    /// Low and high end along x; `None` for an axis that is not clipped.
+    /// Low and high end along the x axis. `None` if x is not clipped.
     pub x: Option<[Real; 2]>,
-    /// Low and high end along y; `None` for an axis that is not clipped.
+    /// Low and high end along the y axis. `None` if y is not clipped.
     pub y: Option<[Real; 2]>,
-    /// Low and high end along z; `None` for an axis that is not clipped.
+    /// Low and high end along the z axis. `None` if z is not clipped.
     pub z: Option<[Real; 2]>,
 }
 
 impl ClipBox {
-    /// Box that clips nothing.
+    /// A box that clips nothing.
     pub const NONE: Self = Self {
         x: None,
         y: None,

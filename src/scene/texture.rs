@@ -1,31 +1,32 @@
 use crate::math::Real;
 use crate::scene::MaterialId;
 
-/// Assignment of materials to the points of a surface.
+/// Texture of a surface: it selects the material for each point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Texture {
-    /// One material for all points.
+    /// The same material for all points.
     Uniform(MaterialId),
-    /// Checkerboard in world coordinates: the first material where the sum of
-    /// `floor(coordinate / size)` over both axes is even, the second material where it is odd.
+    /// A checkerboard in world coordinates. For each point, `floor(coordinate / size)` is added
+    /// up over the two axes. If the sum is even, the point has the first material, otherwise
+    /// the second.
     Checker {
-        /// Side length of a cell, above 0.
+        /// Side length of a cell of the checkerboard, above 0.
         size: Real,
-        /// Two different axes.
+        /// The two axes that the checkerboard varies along. They must differ.
         axes: [Axis; 2],
-        /// Materials of the even and the odd cells.
+        /// The material of the even cells, then that of the odd cells.
         materials: [MaterialId; 2],
     },
 }
 
-/// Axis of the right-handed world coordinate system.
+/// An axis of the right-handed world coordinate system.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Axis {
-    /// The x axis, to the right.
+    /// The x axis, which points to the right.
     #[default]
     X,
-    /// The y axis, up.
+    /// The y axis, which points up.
     Y,
-    /// The z axis, toward the viewer.
+    /// The z axis, which points toward the viewer.
     Z,
 }

@@ -2,36 +2,37 @@ use heapless::Vec;
 
 use super::intersect::Hit;
 
-/// Capacity for the objects that a scanline may show. A scanline with more objects is traced
-/// against all objects of the scene.
+/// Greatest number of objects in the list of a scanline. If more objects may be visible on a
+/// scanline, its rays are tested against all objects of the scene.
 pub(crate) const MAX_CANDIDATES: usize = 64;
 
-/// Objects that a camera ray may hit.
+/// The objects that the camera rays of a scanline may hit.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Candidates {
-    /// Indices of the objects.
+    /// Indices of the objects that a camera ray may hit.
     pub(crate) objects: Vec<u16, MAX_CANDIDATES>,
-    /// True if the list is complete. Otherwise the ray may hit any object.
+    /// True if the list of objects is complete. If it is not, the ray may hit any object.
     pub(crate) is_complete: bool,
-    /// True if all objects are planes.
+    /// True if all objects in the list are planes.
     pub(crate) are_planes: bool,
-    /// True if the only object is a plane at the same distance, in lengths of the ray's
-    /// unnormalized direction, for all rays of the scanline.
+    /// True if the only object in the list is a plane, and all rays of the scanline reach it at
+    /// the same distance. This distance is measured in lengths of a ray's unnormalized
+    /// direction.
     pub(crate) is_coplanar: bool,
-    /// Hit of an earlier ray on that plane. Its distance holds for this ray if the point is
-    /// inside the plane's clip box.
+    /// Hit of an earlier ray of the scanline on the only plane that the scanline shows. The
+    /// current ray has the same distance to the plane, but hits it only if the hit point is
+    /// inside the clip box of the plane.
     pub(crate) cached_hit: Option<Hit>,
 }
 
 impl Candidates {
-    /// Indices of the objects; `None` if the ray may hit any object.
-    #[inline(always)]
+    /// Returns the indices of the objects that the ray may hit. Returns `None` if the ray may
+    /// hit any object.
     pub(crate) fn objects(&self) -> Option<&[u16]> {
         self.is_complete.then_some(&self.objects)
     }
 
-    /// Caches a hit if its distance holds for the following rays.
-    #[inline(always)]
+    /// Caches a hit if its distance is also valid for the following rays of the scanline.
     pub(super) fn cache(&mut self, hit: Hit) {
         if self.is_coplanar && hit.is_near {
             self.cached_hit = Some(hit);

@@ -3,23 +3,24 @@ use crate::geometry::{OriginSurface, PrimitivePart, Ray, SurfaceFlags, SurfacePo
 use crate::math::{SoftFloat, Unit, Vec3};
 use crate::prepare::{Material, PreparedScene};
 
-/// A ray, and everything that shading needs to know about its hit.
+/// A ray with all data about its hit that shading needs.
 ///
-/// The only place where point, normal, side and material of a hit are computed.
+/// The point, normal, side and material of a hit are computed only in this file.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Interaction<'s> {
-    /// The ray. Once it has hit a surface, its origin is the hit point, and it leaves that
-    /// surface on the side it came from.
+    /// The ray of the interaction. After the ray has hit a surface, its origin is the hit
+    /// point, on the side of the surface that the ray came from.
     pub(super) ray: Ray,
-    /// Shading normal, on the side of the ray.
+    /// Shading normal at the hit. It points to the side that the ray comes from.
     pub(super) normal: Vec3<Unit>,
-    /// Cosine of the angle of incidence, `-V · n`: not negative.
+    /// Cosine of the angle of incidence, `-V · n`, for a ray of direction V and the normal n.
+    /// The cosine is not negative.
     pub(super) cosine: Unit,
     pub(super) material: &'s Material,
 }
 
 impl<'s> Interaction<'s> {
-    /// Returns a ray that has not hit anything yet.
+    /// Returns the interaction of a ray that has not hit anything yet.
     #[inline(always)]
     pub(super) fn new(ray: Ray) -> Self {
         static BLACK: Material = Material::BLACK;
@@ -31,18 +32,19 @@ impl<'s> Interaction<'s> {
         }
     }
 
-    /// Index of the object that was hit.
+    /// Returns the index of the object that the ray has hit.
     pub(super) fn object(&self) -> u16 {
         self.ray.leaves.object
     }
 
-    /// True if the ray came from behind the surface.
+    /// Returns true if the ray came from behind the surface.
     pub(super) fn is_inside(&self) -> bool {
         self.ray.leaves.is_inside
     }
 
-    /// Moves the ray to its hit and computes the interaction. Returns false if the point must
-    /// be checked against the clip box of a plane and is outside.
+    /// Moves the ray to its hit point and computes the interaction. If `check_bounds` is true,
+    /// the point is checked against the clip box of a plane. Returns false if the point is
+    /// outside the box.
     #[inline(always)]
     pub(super) fn advance(
         &mut self,
@@ -82,7 +84,7 @@ impl<'s> Interaction<'s> {
         self.material.min_highlight_cosine == u32::MAX && !self.material.is_specular
     }
 
-    /// Normalizes the direction of a ray that was traced without a unit direction.
+    /// Normalizes the direction of a ray that was traced with a direction of another length.
     #[inline(never)]
     pub(super) fn normalize_ray(&mut self) {
         self.ray.direction = self.ray.direction.unit_outlined();

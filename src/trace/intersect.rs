@@ -1,8 +1,9 @@
-//! The nearest hit of a ray.
+//! Finds the nearest hit of a ray.
 //!
-//! Distances come first; normal and material are computed for the nearest hit only. A ray from
-//! a near origin compares 32-bit distances. A hit in the extended range, on an unbounded
-//! object, takes the cold path.
+//! The distances to all objects are computed first. The normal and the material are computed
+//! only for the nearest hit. If the ray starts in the near range (coordinates within ±3.5),
+//! distances have 32 bits. A separate, slower path finds hits outside this range, which only
+//! unbounded objects can have.
 
 use super::tracer::Tracer;
 use crate::geometry::{CullSphere, OriginSurface, Point, Ray, SurfaceFlags, to_q12, to_q16};
@@ -10,20 +11,22 @@ use crate::math::{Length, NEAR_LIMIT, SoftFloat};
 use crate::observer::Observer;
 use crate::prepare::{GROUP, Object, SMALL_SCENE};
 
-/// The nearest hit of a ray.
+/// The nearest hit of a ray on any object.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Hit {
-    /// Index of the object.
+    /// Index of the object that the ray hits.
     pub(crate) object: u16,
-    /// True if the ray's origin is near, and the hit may be near.
+    /// True if the origin of the ray is in the near range (coordinates within ±3.5) and the hit
+    /// may be in it too.
     pub(crate) is_near: bool,
-    /// Distance from the origin if the hit is near. For a bounded object and an origin in the
-    /// extended range, the distance from the origin of [`Ray::moved_near`].
+    /// Distance from the origin of the ray to the hit. The distance is valid if the hit is
+    /// near. It is also valid if the object is bounded and the ray starts in the extended
+    /// range, but then it is measured from the origin of [`Ray::moved_near`].
     pub(super) distance: Length,
 }
 
 impl Hit {
-    /// Hit point if the hit is not near.
+    /// Returns the hit point of a hit that is not near.
     #[cold]
     pub(super) fn extended_point(self, object: &Object, ray: &Ray) -> Point {
         let is_origin = self.object == ray.leaves.object;
@@ -35,12 +38,13 @@ impl Hit {
     }
 }
 
-/// The nearest hit so far.
+/// The nearest hit that has been found so far.
 struct Nearest {
     object: u16,
-    /// Distance of the hit.
+    /// Distance to the nearest hit so far.
     limit: Length,
-    /// True if an unbounded object may be hit beyond the near range.
+    /// True if the ray may hit an unbounded object outside the near range (coordinates within
+    /// ±3.5).
     is_extended: bool,
 }
 
@@ -53,7 +57,7 @@ impl Nearest {
 }
 
 impl<O: Observer> Tracer<'_, '_, O> {
-    /// Intersects a secondary ray with the scene.
+    /// Intersects a secondary ray with all objects of the scene.
     #[inline(always)]
     pub(super) fn intersect(&mut self, ray: &Ray) -> Option<Hit> {
         let OriginSurface {
@@ -64,7 +68,8 @@ impl<O: Observer> Tracer<'_, '_, O> {
             ..
         } = ray.leaves;
         if cfg!(feature = "glass") && is_inside && flags.intersects(SurfaceFlags::ISOLATED) {
-            // The exit of this sphere is the only possible hit.
+            // The ray is inside an isolated sphere, so it can only hit this sphere, from
+            // inside.
             let distance = self.distance(object, ray, NEAR_LIMIT)?;
             return Some(Hit {
                 object,
@@ -86,8 +91,8 @@ impl<O: Observer> Tracer<'_, '_, O> {
         self.finish(&nearest, ray)
     }
 
-    /// Intersects a ray from any origin with any number of objects, by groups.
-    #[inline(never)]
+    /// Intersects a ray with all objects of the scene, group by group. The ray may start
+    /// anywhere, and the scene may have any number of objects.
     pub(super) fn intersect_any(&mut self, ray: &Ray) -> Option<Hit> {
         if !ray.origin.is_near() {
             return self.intersect_from_extended(ray);
@@ -108,7 +113,7 @@ impl<O: Observer> Tracer<'_, '_, O> {
         self.finish(&nearest, ray)
     }
 
-    /// Intersects a camera ray with the objects that it may hit.
+    /// Intersects a camera ray with the objects in a list of those that it may hit.
     #[inline(always)]
     pub(super) fn intersect_candidates(&mut self, objects: &[u16], ray: &Ray) -> Option<Hit> {
         let mut nearest = Nearest::NONE;
@@ -118,8 +123,8 @@ impl<O: Observer> Tracer<'_, '_, O> {
         self.finish(&nearest, ray)
     }
 
-    /// Tests the bounded objects whose bounding spheres the ray may hit, except the object
-    /// that the ray cannot hit again.
+    /// Tests a ray against bounded objects. An object is tested only if the ray may hit its
+    /// bounding sphere, and if it is not the object that the ray has left and cannot hit again.
     #[inline(always)]
     fn test_bounded(&mut self, nearest: &mut Nearest, spheres: &[CullSphere], ray: &Ray) {
         let origin = to_q12(ray.origin.coordinates);
@@ -132,7 +137,6 @@ impl<O: Observer> Tracer<'_, '_, O> {
         }
     }
 
-    #[inline(never)]
     fn test_group(&mut self, nearest: &mut Nearest, spheres: &[CullSphere], ray: &Ray) {
         self.test_bounded(nearest, spheres, ray);
     }
@@ -150,11 +154,12 @@ impl<O: Observer> Tracer<'_, '_, O> {
         }
     }
 
-    /// Distance of an object: exact if below `limit`, [`Length::MAX`] if beyond the near
-    /// range.
+    /// Returns the distance to an object. The distance is exact if it is below `limit`. It is
+    /// [`Length::MAX`] if the object may be hit outside the near range (coordinates within
+    /// ±3.5).
     ///
-    /// Out of line: in a loop of few iterations, hoisted code costs more than it saves.
-    #[inline(never)]
+    /// Kept out of line: otherwise LLVM hoists code out of the loops that call this function.
+    /// The loops are so short that this costs more than it saves.
     fn distance(&mut self, object: u16, ray: &Ray, limit: Length) -> Option<Length> {
         let is_origin = object == ray.leaves.object;
         let object = self.scene.objects.get(usize::from(object))?;
@@ -178,9 +183,9 @@ impl<O: Observer> Tracer<'_, '_, O> {
         None
     }
 
-    /// Intersects a ray from any origin with the unbounded objects, at any distance.
+    /// Intersects a ray with all unbounded objects, at any distance. The ray may start
+    /// anywhere.
     #[cold]
-    #[inline(never)]
     fn intersect_unbounded(&mut self, ray: &Ray) -> Option<(Hit, SoftFloat)> {
         let scene = self.scene;
         let hits = scene.unbounded.iter().filter_map(|&index| {
@@ -198,11 +203,10 @@ impl<O: Observer> Tracer<'_, '_, O> {
         Some((hit, distance))
     }
 
-    /// Intersects a ray whose origin is in the extended range, outside of all bounded
-    /// geometry.
+    /// Intersects a ray that starts in the extended range, outside all bounded geometry.
     ///
-    /// Bounded objects are tested with an origin moved to shortly before them, unbounded ones
-    /// with the true origin.
+    /// For tests against bounded objects, the origin of the ray is moved to a point shortly
+    /// before these objects. Unbounded objects are tested with the true origin.
     #[cold]
     fn intersect_from_extended(&mut self, ray: &Ray) -> Option<Hit> {
         let unbounded = self.intersect_unbounded(ray);

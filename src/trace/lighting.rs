@@ -1,4 +1,5 @@
-//! Direct lighting: emission, ambient light, and the lights that are visible from a point.
+//! Direct lighting of a point: emission, ambient light, and the lights that are visible from
+//! the point.
 
 use super::interaction::Interaction;
 use super::tracer::Tracer;
@@ -11,8 +12,9 @@ use crate::observer::{Observer, to_real};
 use crate::prepare::Light;
 
 impl<O: Observer> Tracer<'_, '_, O> {
-    /// Computes `le + ka ia + sum over lights of T (kd (L·n) id + ks S is)`.
-    #[inline(always)]
+    /// Sets `sum` to the direct lighting: `le + ka ia`, plus `T (kd (L·n) id + ks S is)` for
+    /// each light. T is the transmittance between the point and the light, L is the unit
+    /// direction to the light, n is the normal, and S is the highlight.
     pub(super) fn direct_lighting(&mut self, at: &Interaction<'_>, sum: &mut Color<Radiance>) {
         *sum = at.material.emitted;
         if !at.material.kd.is_black() {
@@ -24,7 +26,7 @@ impl<O: Observer> Tracer<'_, '_, O> {
         }
     }
 
-    /// Adds the highlights of a surface without diffuse reflection.
+    /// Adds the highlights of a surface that has no diffuse reflection.
     #[inline(never)]
     fn add_highlights(&mut self, at: &Interaction<'_>, sum: &mut Color<Radiance>) {
         for (index, light) in self.scene.lights.iter().enumerate() {
@@ -34,7 +36,7 @@ impl<O: Observer> Tracer<'_, '_, O> {
         }
     }
 
-    /// Adds the light of one light that the surface reflects towards the ray's origin.
+    /// Adds the light that arrives from one light and is reflected toward the ray's origin.
     #[inline(never)]
     fn add_light(
         &mut self,
@@ -43,7 +45,8 @@ impl<O: Observer> Tracer<'_, '_, O> {
         index: usize,
         sum: &mut Color<Radiance>,
     ) {
-        // In steps of the point's shift.
+        // The vector to the light is in the units of the hit point, which depend on the shift
+        // of that point.
         let to_light = at.ray.origin.to(light.position);
         let is_vertical = at.ray.leaves.flags.intersects(SurfaceFlags::HORIZONTAL);
         let along = to_light.along_normal(at.normal, is_vertical).to_bits();
@@ -93,45 +96,49 @@ impl<O: Observer> Tracer<'_, '_, O> {
 }
 
 impl Interaction<'_> {
-    /// Returns true if a light may have a visible Phong highlight. Most highlights are too
-    /// dim, which needs no square root to find out.
-    #[inline(always)]
+    /// Returns true if a light may have a visible Phong highlight. Most highlights are too dim.
+    /// This test rejects them without computing a square root.
     fn may_have_highlight(&self, light: &Light) -> bool {
-        /// More than the high words leave out.
+        /// The test ignores the low words of its numbers. This margin exceeds the resulting
+        /// error.
         const MARGIN: i32 = 8;
         let to_light = self.ray.origin.to(light.position);
-        // `2 (L·n)(-V·n) + L·V` times the length of `to_light`: Q58 -> Q26. The first term
-        // is a product with Q30.
+        // The base of the highlight is `2 (L·n)(-V·n) + L·V`, for the direction L to the light,
+        // the view direction V and the normal n. The code uses the full vector to the light
+        // instead of L, so the result is multiplied by the distance. The dot products have Q58
+        // and are shifted to Q26; the factor -V·n has Q30.
         let along = high(to_light.along(self.normal).to_bits());
         let reflected = along.product(self.cosine.to_bits()) >> 29;
         let across = high(to_light.along(self.ray.direction).to_bits());
         let base = reflected as i32 + across + MARGIN;
         let min_cosine = self.material.min_highlight_cosine >> 16;
         let square = high(to_light.squared().to_bits()) as u32;
-        // Q52 beside Q30 * Q24
+        // The squared base has Q52. On the other side, the squared distance has Q30 and the
+        // squared cosine has Q24.
         along >= 0
             && base > 0
             && (base.square() as u64) << 2 >= wide(square, min_cosine * min_cosine)
     }
 
-    /// Phong's `(R_L · -V)^s` or Blinn's `(H · n)^s`.
+    /// Returns the highlight: `(R_L · -V)^s` in Phong's model, `(H · n)^s` in Blinn's model.
     ///
-    /// Both follow from three cosines, without the vectors R_L and H:
-    /// `R_L · -V = 2 (L·n)(-V·n) + L·V`, and `H · n = (L·n - V·n) / |L - V|` with
-    /// `|L - V|² = 2 - 2 L·V`.
-    #[inline(always)]
+    /// R_L is the reflected direction of the light, H is the halfway vector, V is the view
+    /// direction, n is the normal, and s is the exponent. Neither R_L nor H is computed,
+    /// because three known cosines give both bases: `R_L · -V = 2 (L·n)(-V·n) + L·V`, and
+    /// `H · n = (L·n - V·n) / |L - V|` with `|L - V|² = 2 - 2 L·V`.
     fn highlight(&self, v_dot_l: Unit, n_dot_l: Unit) -> Factor {
         let base = if self.material.is_blinn {
             let sum = (n_dot_l.to_bits() as u32).wrapping_add(self.cosine.to_bits() as u32);
-            // |L - V|² / 4, as U0F32, is at most 1, and 0 only if V = L.
+            // `square` is |L - V|² / 4 as U0F32, for the unit directions L and V. It is at most
+            // 1, and it is 0 only if V = L.
             let square = ((1 << 30) - i64::from(v_dot_l.to_bits())) << 1;
             let square = square.clamp(1, i64::from(u32::MAX)) as u32;
             let shift = leading_zeros(square) & !1;
-            // Q30 * U1F31 * 2^(shift/2) / 2 -> Q31
+            // The product of Q30 and U1F31 is scaled by 2^(shift/2) / 2 and converted to Q31.
             let product = sum.product(reciprocal_root(square << shift));
             (product >> (31 - shift / 2)) as i64
         } else {
-            // I4F60 + Q30 -> Q31
+            // The product in I4F60 is converted to Q31, and so is the cosine in Q30.
             ((n_dot_l.product(self.cosine).to_bits() + (1 << 27)) >> 28)
                 + (i64::from(v_dot_l.to_bits()) << 1)
         };
@@ -143,8 +150,8 @@ impl Interaction<'_> {
     }
 }
 
-/// Rounds a cosine of 0 to 1. An excess over 1 is too small to be visible here.
-#[inline(always)]
+/// Rounds a cosine from 0 to 1 to an intensity. The result may slightly exceed 1, but too
+/// little to be visible.
 fn to_intensity(cosine: Unit) -> Intensity {
     Intensity::from_bits(((cosine.to_bits() + (1 << 13)) >> 14) as u32)
 }
@@ -164,7 +171,8 @@ mod tests {
         Vec3::new(c(), c(), c())
     }
 
-    /// Uses lights from the center of a highlight to beyond its edge, near and far away.
+    /// Tests lights from the center of a highlight to beyond its edge, both near the surface
+    /// and far away.
     #[test]
     fn visible_highlights_are_kept() {
         let random = &mut Rng::with_seed(1);

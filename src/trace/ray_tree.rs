@@ -1,4 +1,4 @@
-//! The ray tree of a pixel (Whitted 1980), traversed with an explicit stack.
+//! Traces the ray tree of a pixel (Whitted 1980). The tree is traversed with an explicit stack.
 
 use heapless::{Vec, VecView};
 
@@ -12,27 +12,28 @@ use crate::math::{Color, Factor, Radiance, Unit, Vec3, Weight};
 use crate::observer::{Observer, RayKind, RayNode, weight_to_real};
 use crate::prepare::{MAX_DEPTH, Settings};
 
-/// Maximum number of rays per pixel, without shadow rays. Branches beyond it add black.
+/// Maximum number of rays per pixel, not counting shadow rays. All further rays of the pixel
+/// count as black.
 ///
-/// The depth alone would allow 2^33.
+/// Without this budget, a ray tree of the greatest depth could have 2^33 rays.
 const RAY_BUDGET: u16 = 4096;
 
-/// Capacity of the stack for scenes of at most this depth.
+/// Capacity of the small stack. Scenes with at most this depth use it.
 const SMALL_STACK: usize = 8;
 
-/// A ray that is still to be traced: 56 bytes.
+/// A ray that still has to be traced. It takes 56 bytes.
 #[derive(Clone, Copy, Debug)]
 struct PendingRay {
     ray: Ray,
     path: PathState,
 }
 
-/// The path from the camera to a ray.
+/// State of the path from the camera to a ray.
 #[derive(Clone, Copy, Debug)]
 struct PathState {
-    /// Share of the ray's radiance that reaches the camera.
+    /// Fraction of the ray's radiance that reaches the camera.
     throughput: Color<Weight>,
-    /// Number of surfaces between the ray and the camera.
+    /// Number of surfaces on the path between the ray and the camera.
     depth: u8,
     kind: RayKind,
 }
@@ -44,11 +45,10 @@ impl PathState {
         kind: RayKind::Camera,
     };
 
-    /// Extends the path by a ray with a weight; `None` if the throughput is too small to
-    /// count.
-    #[inline(always)]
+    /// Extends the path by a ray with the given weight. Returns `None` if the new throughput is
+    /// too small for the ray to matter.
     fn extended(&self, weight: Color<Weight>, kind: RayKind, settings: &Settings) -> Option<Self> {
-        // The throughput of a camera ray is 1.
+        // A camera ray has depth 0 and a throughput of 1, so the new throughput is the weight.
         let throughput = if self.depth == 0 {
             weight
         } else {
@@ -68,10 +68,10 @@ impl PathState {
 impl<'s, O: Observer> Tracer<'_, 's, O> {
     /// Traces a camera ray and returns its radiance.
     ///
-    /// The direction need not have unit length. It is normalized only if something depends on
-    /// that: planes with matte materials do not.
+    /// The direction need not have unit length. It is normalized only where necessary: planes
+    /// with matte materials do not need a unit direction.
     ///
-    /// Out of line, so that there is one copy of the tracer for all ways to draw.
+    /// Kept out of line, so that all ways to draw share one copy of the tracer.
     #[inline(never)]
     pub(crate) fn trace_camera_ray(
         &mut self,
@@ -91,7 +91,6 @@ impl<'s, O: Observer> Tracer<'_, 's, O> {
         radiance.brightened(exposure.into())
     }
 
-    #[inline(always)]
     fn trace_candidates(
         &mut self,
         direction: Vec3<Unit>,
@@ -135,8 +134,7 @@ impl<'s, O: Observer> Tracer<'_, 's, O> {
         radiance
     }
 
-    /// Radiance of a camera ray that hits nothing.
-    #[inline(always)]
+    /// Returns the radiance of a camera ray that hits nothing.
     fn shade_background(
         &mut self,
         direction: Vec3<Unit>,
@@ -153,9 +151,8 @@ impl<'s, O: Observer> Tracer<'_, 's, O> {
         radiance
     }
 
-    /// Adds the radiance of all secondary rays. The stack for pending rays is as large as the
-    /// scene needs.
-    #[inline(always)]
+    /// Adds the radiance of all secondary rays of a pixel. The capacity of the stack for
+    /// pending rays depends on the depth of the scene.
     fn trace_tree(&mut self, interaction: &mut Interaction<'s>, radiance: &mut Color<Radiance>) {
         let settings = &self.scene.settings;
         let mut tree = RayTree {
@@ -174,7 +171,6 @@ impl<'s, O: Observer> Tracer<'_, 's, O> {
     }
 
     /// Reports a node of the ray tree to the observer.
-    #[inline(always)]
     fn notify(
         &mut self,
         interaction: Option<&Interaction<'_>>,
@@ -201,7 +197,8 @@ impl<'s, O: Observer> Tracer<'_, 's, O> {
     }
 }
 
-/// The traversal of a ray tree: its current ray, and the radiance found so far.
+/// Traversal of a ray tree. It holds the current ray and the radiance that has been found so
+/// far.
 struct RayTree<'r, 't, 's, O> {
     tracer: &'r mut Tracer<'t, 's, O>,
     interaction: &'r mut Interaction<'s>,
@@ -210,8 +207,8 @@ struct RayTree<'r, 't, 's, O> {
 }
 
 impl<O: Observer> RayTree<'_, '_, '_, O> {
-    /// Traces a scene without transparent materials: each ray has at most one successor.
-    #[inline(always)]
+    /// Traces the reflected rays of a scene without transparent materials. Each ray then has at
+    /// most one successor.
     fn trace_reflections(&mut self) {
         let stack = &mut Vec::<PendingRay, 0>::new();
         let mut has_next = self.reflect();
@@ -240,8 +237,8 @@ impl<O: Observer> RayTree<'_, '_, '_, O> {
         }
     }
 
-    /// Traces the current ray, adds its radiance, and replaces it by its successor. Returns
-    /// false if there is none.
+    /// Traces the current ray, adds its radiance, and replaces the ray by its successor.
+    /// Returns false if the ray has no successor.
     #[inline(never)]
     fn trace_node(&mut self, stack: &mut VecView<PendingRay>) -> bool {
         let Self {
@@ -262,7 +259,7 @@ impl<O: Observer> RayTree<'_, '_, '_, O> {
         let mut local = Color::<Radiance>::BLACK;
         tracer.direct_lighting(interaction, &mut local);
         tracer.notify(Some(interaction), *path, local);
-        // The direct lighting of glass is mostly black.
+        // Glass mostly has black direct lighting, which need not be added.
         if local != Color::<Radiance>::BLACK {
             **radiance = radiance.plus(path.throughput.weigh(local));
         }
@@ -271,9 +268,8 @@ impl<O: Observer> RayTree<'_, '_, '_, O> {
             && self.scatter(stack)
     }
 
-    /// Replaces the current ray by its successor, and pushes a second one onto the stack.
-    /// Returns false if there is none.
-    #[inline(always)]
+    /// Replaces the current ray by its successor. If the ray has two successors, the second is
+    /// pushed onto the stack. Returns false if the ray has no successor.
     fn scatter(&mut self, stack: &mut VecView<PendingRay>) -> bool {
         if !cfg!(feature = "glass") || self.interaction.material.kt.is_black() {
             return self.reflect();
@@ -281,8 +277,8 @@ impl<O: Observer> RayTree<'_, '_, '_, O> {
         self.reflect_and_transmit(stack)
     }
 
-    /// Replaces the current ray by its reflection.
-    #[inline(always)]
+    /// Replaces the current ray by the reflected ray. Returns false if the reflected ray need
+    /// not be traced.
     fn reflect(&mut self) -> bool {
         let weight = self.interaction.material.kr;
         let settings = &self.tracer.scene.settings;
@@ -294,8 +290,9 @@ impl<O: Observer> RayTree<'_, '_, '_, O> {
         true
     }
 
-    /// Continues with the reflected ray. A transmitted ray beside it waits on the stack, so
-    /// there is at most one pending ray per generation, and no push fails.
+    /// Replaces the current ray by the reflected ray. If only the transmitted ray is worth
+    /// tracing, that ray replaces the current ray. If both are, the transmitted ray waits on
+    /// the stack. The stack therefore holds at most one ray per generation, and no push fails.
     #[inline(never)]
     fn reflect_and_transmit(&mut self, stack: &mut VecView<PendingRay>) -> bool {
         let Self {

@@ -4,16 +4,18 @@ use crate::geometry::{Ray, SurfaceFlags};
 use crate::math::{Color, Unit, Vec3, Weight};
 use crate::prepare::Material;
 
-/// Weights of the rays that continue from a transparent surface.
+/// Weights of the reflected and the transmitted ray at a transparent surface.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Scattering {
     pub(super) reflected: Color<Weight>,
-    /// Weight and direction of the transmitted ray; `None` for total internal reflection.
+    /// Weight and direction of the transmitted ray. `None` if there is total internal
+    /// reflection.
     pub(super) transmitted: Option<(Color<Weight>, Vec3<Unit>)>,
 }
 
 impl Interaction<'_> {
-    /// Computes the rays that continue. Total internal reflection is a perfect mirror.
+    /// Computes the reflected and the transmitted ray. At total internal reflection, the
+    /// surface is a perfect mirror.
     pub(super) fn scatter(&self) -> Scattering {
         let Material { kr, kt, .. } = *self.material;
         let direction = if self.ray.leaves.flags.intersects(SurfaceFlags::OPEN) {
@@ -43,13 +45,13 @@ impl Interaction<'_> {
         optics::refracted(self.ray.direction, self.normal, self.cosine, eta)
     }
 
-    /// Turns the ray into the reflected ray.
+    /// Replaces the ray by the reflected ray.
     #[inline(never)]
     pub(super) fn reflect(&mut self) {
         self.ray.direction = optics::mirrored(self.ray.direction, self.normal, self.cosine);
     }
 
-    /// Returns the ray that continues on the other side of the surface.
+    /// Returns the transmitted ray, which continues on the other side of the surface.
     pub(super) fn transmitted_ray(&self, direction: Vec3<Unit>) -> Ray {
         Ray {
             origin: self.ray.origin,

@@ -1,8 +1,8 @@
-//! Visibility of a light from a point of a surface.
+//! Finds out if a light is visible from a point of a surface.
 //!
-//! Fast path: occlusion by opaque spheres and planes needs neither a square root nor the hit
-//! point. Transparent objects and other shapes compute the points where the light crosses
-//! them.
+//! The fast path handles opaque spheres and planes. It needs neither a square root nor the
+//! point where the light meets the object. For transparent objects and other shapes, the points
+//! where the light crosses the surface are computed.
 
 use super::tracer::Tracer;
 use crate::geometry::{ShadowSegment, SurfaceFlags, Texture, normalize_q16};
@@ -11,8 +11,9 @@ use crate::observer::{Observer, RayKind};
 use crate::prepare::{Light, Object};
 
 impl<O: Observer> Tracer<'_, '_, O> {
-    /// Returns true if a light reaches the end of a segment. `transmittance` is set if
-    /// transparent surfaces filter the light.
+    /// Returns true if the light is visible from the surface point at the other end of the
+    /// segment. If transparent surfaces filter the light, `transmittance` is set to the
+    /// fraction that arrives.
     #[inline(always)]
     pub(super) fn is_visible(
         &mut self,
@@ -49,8 +50,8 @@ impl<O: Observer> Tracer<'_, '_, O> {
         unbounded.all(|&object| self.attenuate(segment, object, transmittance))
     }
 
-    /// Multiplies the transmittance by that of an object that may be crossed. Returns false
-    /// if no light is left.
+    /// Multiplies the transmittance by that of an object, if the segment crosses this object.
+    /// Returns false if no light is left.
     #[inline(never)]
     fn attenuate(
         &mut self,
@@ -60,7 +61,7 @@ impl<O: Observer> Tracer<'_, '_, O> {
     ) -> bool {
         let object = self.scene.object(index);
         let is_origin = index == segment.ray.leaves.object;
-        // Transmittance of each crossing, if it is the same everywhere.
+        // Transmittance of each crossing, if it is the same at all points of the object.
         let kt = match object.texture {
             Texture::Uniform(material) => Some(self.scene.material(material).kt),
             Texture::Checker(_) => None,
@@ -87,7 +88,7 @@ impl<O: Observer> Tracer<'_, '_, O> {
         !after.is_black()
     }
 
-    /// Returns true if a segment crosses an object.
+    /// Returns true if a shadow segment crosses the surface of an object.
     fn crosses(&mut self, segment: &ShadowSegment<'_>, object: &Object, is_origin: bool) -> bool {
         let mut is_crossed = false;
         let mut visit = |_| {
@@ -100,7 +101,8 @@ impl<O: Observer> Tracer<'_, '_, O> {
         is_crossed
     }
 
-    /// Filters a transmittance at every point where a segment crosses an object.
+    /// Multiplies a transmittance by that of the surface at every point where a shadow segment
+    /// crosses an object.
     fn filter(
         &mut self,
         segment: &ShadowSegment<'_>,

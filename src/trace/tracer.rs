@@ -3,10 +3,11 @@ use crate::prepare::PreparedScene;
 
 /// Traces rays through a prepared scene.
 ///
-/// The operations are in the other files of this folder, one stage each.
+/// The methods of the tracer are in the other files of this folder. Each file implements one
+/// stage.
 pub(crate) struct Tracer<'t, 's, O> {
     pub(crate) scene: &'s PreparedScene<'s>,
-    /// Part of a composite shape that the last ray hit.
+    /// The part of a composite shape that the last ray hit.
     pub(crate) part: &'t mut PrimitivePart,
     pub(crate) observer: &'t mut O,
 }

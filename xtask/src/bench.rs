@@ -1,4 +1,4 @@
-//! Counts the instructions of pictures in QEMU, in fixed point and in floating point.
+//! Counts in QEMU the instructions that pictures take, in fixed point and in floating point.
 
 mod count;
 mod flash;
@@ -21,7 +21,7 @@ const BUDGET: Budget = Budget {
     bless: "cargo xtask bench --bless",
 };
 
-/// Counts a scene on all cores and prints a table.
+/// Counts the instructions of a scene on all cores and prints a table.
 pub fn print(scene: &str) -> Result<()> {
     let mut subjects = SUBJECTS.to_vec();
     subjects.retain(|subject| subject.scene == scene);
@@ -31,7 +31,7 @@ pub fn print(scene: &str) -> Result<()> {
     Ok(())
 }
 
-/// Counts everything and writes the tables of docs/benchmarks.md.
+/// Measures all pictures and firmware, and writes the tables of docs/benchmarks.md.
 pub fn write() -> Result<()> {
     let rows = count(&SUBJECTS, &Core::ALL, true)?;
     page::replace("frames", &page::frames(&rows)?)?;
@@ -52,7 +52,7 @@ pub fn bless() -> Result<()> {
     BUDGET.bless(&counts()?)
 }
 
-/// Counts three small pictures on one core of each kind of code.
+/// Counts the instructions of three small pictures on the M0, M3 and M4F.
 fn counts() -> Result<Counts> {
     let rows = count(&IN_BUDGET, &[Core::M0, Core::M3, Core::M4f], false)?;
     let name = |row: &count::Row| format!("{} {}", row.subject, row.core);

@@ -1,4 +1,4 @@
-//! Boards that are workspaces of their own, with their own memory map and Cargo configuration.
+//! Boards whose firmware is a separate workspace with its own memory map and Cargo configuration.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -11,17 +11,17 @@ use crate::firmware::{V6M, V7EM, V8M, build_copy};
 use crate::size::{Usage, usage};
 use crate::{root, target_dir, tools};
 
-/// Target of the ESP32-C3.
+/// Target triple of the ESP32-C3.
 pub(crate) const RISCV: &str = "riscv32imc-unknown-none-elf";
 
-/// A package in a folder of `boards`.
+/// A board with its own workspace in the folder `boards`.
 #[derive(Clone, Copy, Debug)]
 pub struct Board {
-    /// Name of the folder and the program.
+    /// Name of both the folder and the program.
     pub name: &'static str,
     target: &'static str,
     features: &'static str,
-    /// Flash budget in bytes.
+    /// Largest allowed flash size in bytes.
     flash: u64,
 }
 
@@ -37,7 +37,7 @@ pub const STM32F405_IN_QEMU: Board = Board {
 /// Raspberry Pi Pico with an ST7789 display. rp2040js runs the unmodified firmware.
 pub const PICO: Board = board("pico", V6M, 121_000);
 
-/// All boards, as they run on hardware. No emulator runs the last three.
+/// All boards with the firmware for hardware. No emulator runs the firmware of the last three.
 const ALL: [Board; 5] = [
     STM32F405,
     PICO,
@@ -60,13 +60,14 @@ pub(crate) fn folders() -> impl Iterator<Item = PathBuf> {
     ALL.into_iter().map(Board::folder)
 }
 
-/// Builds all boards and returns names, flash and RAM.
+/// Builds the firmware of all boards. Returns the name of each board with its flash and RAM.
 pub(crate) fn flash() -> Result<Vec<(&'static str, Usage)>> {
     let usage = |board: Board| Ok((board.name, usage(&board.build(None)?)?));
     ALL.into_iter().map(usage).collect()
 }
 
-/// Builds all boards and prints their flash. Returns an error if one is over its budget.
+/// Builds the firmware of all boards and prints the flash sizes. Returns an error if a board is
+/// over its budget.
 pub fn build_all() -> Result<()> {
     println!("{:12} {:>7} {:>7}", "board", "flash", "budget");
     let mut too_large = Vec::new();
@@ -82,9 +83,10 @@ pub fn build_all() -> Result<()> {
     Ok(())
 }
 
-/// Starts to build all boards in the background, to use cores that other steps leave idle.
+/// Starts to build the firmware of all boards in the background, on processor cores that other
+/// steps leave idle.
 pub(crate) fn start_builds() -> Result<()> {
-    // A failed build fails again in the step that needs it.
+    // Errors are ignored: a failed build fails again in the step that needs it.
     thread::spawn(|| {
         ALL.into_iter()
             .try_for_each(|board| board.build(None).map(drop))
@@ -92,7 +94,7 @@ pub(crate) fn start_builds() -> Result<()> {
     Ok(())
 }
 
-/// Returns the target folder of all boards, which share dependencies.
+/// Returns the target folder. All boards use the same one, so that they share built dependencies.
 fn builds() -> PathBuf {
     target_dir().join("boards")
 }
@@ -112,8 +114,8 @@ impl Board {
         cargo
     }
 
-    /// Builds the firmware and returns the path of a copy that later builds do not overwrite.
-    /// `scene` replaces the default scene.
+    /// Builds the firmware, with `scene` in place of the default scene if given. Returns the path
+    /// of a copy of the program, which later builds do not overwrite.
     pub fn build(self, scene: Option<&Path>) -> Result<PathBuf> {
         tools::install_flip_link()?;
         let mut build = self.cargo("build");

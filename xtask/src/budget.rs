@@ -1,4 +1,4 @@
-//! Committed numbers that measurements must not exceed.
+//! Budgets: numbers in the repository that measurements must not exceed.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -10,19 +10,20 @@ use crate::root;
 /// Allowed difference between a measurement and the budget, in percent.
 const TOLERANCE: u64 = 1;
 
-/// Counts by name, such as "whitted 160x120 m3".
+/// Counts by the names of measurements, such as "whitted 160x120 m3".
 pub(crate) type Counts = BTreeMap<String, u64>;
 
-/// A JSON file of [`Counts`].
+/// A budget: a JSON file of [`Counts`].
 pub(crate) struct Budget {
-    /// Path of the file in the project.
+    /// Path of the JSON file, relative to the root of the project.
     pub(crate) file: &'static str,
-    /// Command that writes the file.
+    /// Command that the user runs to write the JSON file.
     pub(crate) bless: &'static str,
 }
 
 impl Budget {
-    /// Prints a comparison. Returns an error if a count is over the budget.
+    /// Prints a comparison of counts with the budget. Returns an error if a count is over the
+    /// budget.
     pub(crate) fn check(&self, counted: &Counts) -> Result<()> {
         let Self { file, bless } = self;
         let text = fs::read_to_string(root().join(file))
@@ -45,7 +46,7 @@ impl Budget {
         Ok(())
     }
 
-    /// Stores counts as the budget.
+    /// Stores counts as the new budget.
     pub(crate) fn bless(&self, counted: &Counts) -> Result<()> {
         let file = root().join(self.file);
         fs::write(&file, serde_json::to_string_pretty(counted)? + "\n")?;

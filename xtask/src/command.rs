@@ -12,17 +12,18 @@ pub(crate) fn command(program: impl AsRef<OsStr>) -> Command {
     command
 }
 
-/// Returns the Cargo that runs this program.
+/// Returns a command for the same Cargo that runs this program.
 pub(crate) fn cargo() -> Command {
     command(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
 }
 
-/// Returns the Cargo of another toolchain, such as `+nightly`, with a target folder of its own.
+/// Returns a command for the Cargo of another toolchain, such as `+nightly`, with a separate target
+/// folder.
 pub(crate) fn cargo_of(toolchain: &str, target_dir: &str) -> Command {
     let mut cargo = command("cargo");
     cargo.arg(toolchain);
     cargo.env("CARGO_TARGET_DIR", crate::target_dir().join(target_dir));
-    // Cargo sets these variables for programs that it runs, and they would select its toolchain.
+    // The Cargo that runs this program sets these variables. They would select its own toolchain.
     for variable in ["RUSTUP_TOOLCHAIN", "CARGO", "RUSTC"] {
         cargo.env_remove(variable);
     }

@@ -7,13 +7,14 @@ use clap::ValueEnum;
 /// A core that the headless firmware runs on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, ValueEnum)]
 pub enum Core {
-    /// Cortex-M0+. QEMU runs its code on an M3, because its only M0 board has 16 KB of RAM.
+    /// Cortex-M0+. QEMU runs the code for this core on a Cortex-M3, because QEMU's only board with
+    /// a Cortex-M0 has just 16 KB of RAM.
     M0,
     /// Cortex-M3.
     M3,
     /// Cortex-M4 with an FPU.
     M4f,
-    /// Cortex-M7 with an FPU; runs the machine code of the M4F.
+    /// Cortex-M7 with an FPU. It runs the machine code of the M4F.
     M7,
     /// Cortex-M33 with an FPU.
     M33,
@@ -23,10 +24,10 @@ impl Core {
     /// All cores.
     pub const ALL: [Self; 5] = [Self::M0, Self::M3, Self::M4f, Self::M7, Self::M33];
 
-    /// The cores with machine code of their own.
+    /// All cores but the M7, which runs the machine code of the M4F.
     pub const DISTINCT: [Self; 4] = [Self::M0, Self::M3, Self::M4f, Self::M33];
 
-    /// Returns the name for tables.
+    /// Returns the name of the core in tables.
     pub fn title(self) -> &'static str {
         match self {
             Self::M0 => "Cortex-M0+",
@@ -37,13 +38,13 @@ impl Core {
         }
     }
 
-    /// Returns true if the core computes floats in hardware.
+    /// Returns true if the core has hardware for floating point.
     pub fn has_fpu(self) -> bool {
         !matches!(self, Self::M0 | Self::M3)
     }
 }
 
-/// Writes the name on the command line, such as `m4f`.
+/// Writes the name of the core on the command line, such as `m4f`.
 impl fmt::Display for Core {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}", format!("{self:?}").to_lowercase())

@@ -1,4 +1,4 @@
-//! Builds firmware that is a package of the workspace.
+//! Builds the firmware packages in the root workspace.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -10,29 +10,29 @@ use anyhow::{Context, Result};
 use crate::command::{cargo, run};
 use crate::{scratch_dir, target_dir};
 
-/// Target of the Cortex-M0 and M0+.
+/// Target triple of the Cortex-M0 and M0+.
 pub const V6M: &str = "thumbv6m-none-eabi";
-/// Target of the Cortex-M3.
+/// Target triple of the Cortex-M3.
 pub const V7M: &str = "thumbv7m-none-eabi";
-/// Target of the Cortex-M4F and M7, with an FPU.
+/// Target triple of the Cortex-M4F and M7, with an FPU.
 pub const V7EM: &str = "thumbv7em-none-eabihf";
-/// Target of the Cortex-M33, with an FPU.
+/// Target triple of the Cortex-M33, with an FPU.
 pub const V8M: &str = "thumbv8m.main-none-eabihf";
 
-/// Targets of all firmware for Cortex-M.
+/// Target triples of all Cortex-M firmware.
 pub const TARGETS: [&str; 4] = [V6M, V7M, V7EM, V8M];
 
-/// Cargo profile for microcontrollers in the root manifest.
+/// Name of the Cargo profile for microcontrollers in the root Cargo.toml.
 pub(crate) const PROFILE: &str = "firmware";
 
-/// A package of the workspace, built for a target.
+/// A firmware package of the root workspace, with the target to build it for.
 #[derive(Clone, Copy, Debug)]
 pub struct Firmware {
-    /// Name of the package and its program.
+    /// Name of both the package and its program.
     pub package: &'static str,
     /// Target triple.
     pub target: &'static str,
-    /// True to build with the package's default features.
+    /// True if the package is built with its default features.
     pub defaults: bool,
 }
 
@@ -40,7 +40,7 @@ pub struct Firmware {
 pub const LM3S6965EVB: Firmware = Firmware::new("lm3s6965evb", V7M);
 
 impl Firmware {
-    /// Returns a package with its default features.
+    /// Creates the value for a package with its default features.
     pub const fn new(package: &'static str, target: &'static str) -> Self {
         Self {
             package,
@@ -49,8 +49,8 @@ impl Firmware {
         }
     }
 
-    /// Builds the firmware and returns the path of a copy that later builds do not overwrite.
-    /// `scene` replaces the default scene of firmware with a scene in flash.
+    /// Builds the firmware and returns the path of a copy of the program, which later builds do not
+    /// overwrite. If the firmware has a scene in flash, `scene` replaces its default scene.
     pub fn build(self, scene: Option<&Path>) -> Result<PathBuf> {
         let Self {
             package,
@@ -70,14 +70,14 @@ impl Firmware {
     }
 }
 
-/// Runs a build and copies the program.
+/// Runs a build command and copies the built program.
 pub(crate) fn build_copy(
     mut build: Command,
     scene: Option<&Path>,
     program: &Path,
     name: &str,
 ) -> Result<PathBuf> {
-    // Builds with other scenes or features have the same file name.
+    // Only one build runs at a time: builds with other scenes or features write the same file.
     static ONE_AT_A_TIME: Mutex<()> = Mutex::new(());
     let _guard = ONE_AT_A_TIME.lock();
 

@@ -17,10 +17,11 @@ use crate::qemu::{Arithmetic, Machine};
 use crate::{root, scenes};
 use least_squares::non_negative;
 
-/// Sizes of the counted pictures. The narrow one separates costs of lines from costs of pixels.
+/// Sizes of the counted pictures. The narrow size separates the costs per line from the costs per
+/// pixel.
 const SIZES: [Size; 2] = [Size::new(160, 120), Size::new(20, 120)];
 
-/// Items and counted instructions of a scene.
+/// A picture with its items of work and its counted instructions.
 struct Sample {
     scene: String,
     size: Size,
@@ -28,7 +29,7 @@ struct Sample {
     instructions: [u64; 4],
 }
 
-/// Counts the instructions of all scenes and writes `sim/src/cost/prices.rs`.
+/// Counts the instructions of all scenes, fits the prices, and writes `sim/src/cost/prices.rs`.
 pub fn run() -> Result<()> {
     let build = |core| Machine::of(core).rig(Arithmetic::Fixed.rig()).build(None);
     let firmware: Result<Vec<_>> = Core::DISTINCT.into_iter().map(build).collect();
@@ -69,7 +70,8 @@ fn sample(scene: &Path, size: Size, firmware: &[PathBuf]) -> Result<Sample> {
     })
 }
 
-/// Returns the prices on a core that give the least squares of relative errors.
+/// Returns the prices of the items on a core, in instructions. They minimize the sum of the squared
+/// relative errors over all samples.
 fn prices(samples: &[Sample], core: usize) -> [u32; ITEMS.len()] {
     let row = |sample: &Sample| {
         let counted = sample.instructions[core] as f64;

@@ -1,4 +1,4 @@
-//! Pictures and errors of the host, for comparison.
+//! Renders and decodes on the host, for comparison with firmware.
 
 use std::path::Path;
 
@@ -7,7 +7,7 @@ use embedded_graphics_core::geometry::Size;
 use whitted::SceneBuffer;
 use whitted_sim::{render, scene_file};
 
-/// Returns the checksum of a scene's picture as firmware prints it.
+/// Renders a scene on the host and returns the checksum of the picture, as firmware prints it.
 pub fn checksum(scene: &Path, size: Size) -> Result<String> {
     let file = scene_file::load(scene)?;
     let mut buffer = Box::new(scene_file::Buffer::new());
@@ -15,8 +15,8 @@ pub fn checksum(scene: &Path, size: Size) -> Result<String> {
     Ok(format!("{:08x}", render::checksum(&picture)))
 }
 
-/// Returns the error for a compiled scene in firmware with capacity for 64 objects, 8 lights and
-/// 64 materials.
+/// Returns the error message for a compiled scene that firmware cannot decode. The firmware has
+/// capacity for 64 objects, 8 lights and 64 materials.
 pub fn decode_error(compiled: &[u8]) -> Result<String> {
     let mut buffer = Box::new(SceneBuffer::<64, 8, 64>::new());
     match buffer.decode(compiled) {

@@ -1,6 +1,7 @@
-//! The project's tasks; `cargo xtask help` lists them.
+//! The tasks of the project. `cargo xtask help` lists them.
 //!
-//! A library, so that the tests in `xtask/tests` can build firmware and run it in emulators.
+//! The tasks are in a library, so that the tests in `xtask/tests` can build firmware and run it in
+//! emulators.
 
 pub mod bench;
 pub mod board;

@@ -31,7 +31,7 @@ enum Task {
     },
     /// Draws a scene on the OLED of the LM3S6965 board in QEMU.
     Qemu {
-        /// Scene file; the firmware's own scenes if missing.
+        /// Scene file. If missing, the firmware draws its own scenes.
         #[arg(value_parser = existing)]
         scene: Option<PathBuf>,
         /// Writes a screenshot to this PNG or PPM file.
@@ -67,7 +67,7 @@ enum Task {
     },
     /// Draws with the Raspberry Pi Pico's firmware in rp2040js, and compares pictures and cycles.
     Pico {
-        /// Scene file; the whole test of the board if missing.
+        /// Scene file. If missing, runs the whole test of the board.
         #[arg(value_parser = existing)]
         scene: Option<PathBuf>,
         /// Writes a screenshot of the scene to this PNG file.
@@ -79,7 +79,7 @@ enum Task {
     },
     /// Builds the Raspberry Pi Pico's firmware as a UF2 file.
     Uf2 {
-        /// Scene files; the firmware's own scenes if missing.
+        /// Scene files. If missing, the firmware has its own scenes.
         #[arg(value_parser = existing)]
         scenes: Vec<PathBuf>,
     },
@@ -170,7 +170,8 @@ fn headless(job: &Job, size: &str, float: bool) -> Result<()> {
     report.result().map(drop)
 }
 
-/// Tasks run in the root of the project, so paths relative to the user's folder become absolute.
+/// Returns the absolute path of an existing file. Paths on the command line are relative to the
+/// user's folder, but tasks run in the root of the project.
 fn existing(path: &str) -> std::io::Result<PathBuf> {
     std::fs::canonicalize(path)
 }

@@ -1,4 +1,5 @@
-//! An STM32F405 in QEMU, whose display is reconstructed from the writes to SPI and GPIO registers.
+//! Runs firmware on an STM32F405 in QEMU. QEMU has no display for this board, so the picture is
+//! reconstructed from the writes to SPI and GPIO registers.
 
 use std::path::Path;
 
@@ -10,12 +11,12 @@ use crate::qemu::{QEMU, Running};
 
 /// Data register of SPI 1.
 const SPI_1_DATA: u32 = 0x4001_300C;
-/// Bit set/reset register of port A: the lower half sets pins, the upper half resets them.
+/// Bit set/reset register of port A. The lower 16 bits set pins, the upper 16 bits reset pins.
 const PORT_A_SET_RESET: u32 = 0x4002_0018;
-/// Pin of port A that is high for data and low for commands.
+/// Number of the pin of port A that is high for display data and low for display commands.
 const DATA_OR_COMMAND: u32 = 4;
 
-/// Runs firmware to its end and returns the picture on its display.
+/// Runs firmware until it exits and returns the picture on its display.
 pub fn draw(elf: &Path) -> Result<Picture> {
     let mut qemu = command(QEMU);
     qemu.args(["-machine", "netduinoplus2", "-nodefaults"]);
@@ -41,8 +42,8 @@ pub fn draw(elf: &Path) -> Result<Picture> {
     Ok(controller.picture()?)
 }
 
-/// Returns address and value of `memory_region_ops_write cpu 0 mr 0x5565 addr 0x40023804 value
-/// 0x24003010 size 4 name 'RCC'`.
+/// Returns the address and the value of a register write in QEMU's trace, such as
+/// `memory_region_ops_write cpu 0 mr 0x5565 addr 0x40023804 value 0x24003010 size 4 name 'RCC'`.
 fn register_write(line: &str) -> Option<(u32, u32)> {
     let mut words = line.split(' ').skip_while(|word| *word != "addr");
     let address = hexadecimal(words.nth(1)?)?;

@@ -1,4 +1,4 @@
-//! The LM3S6965 board in QEMU: its OLED and its buttons.
+//! Runs the LM3S6965 board in QEMU, with its OLED display and its buttons.
 
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -14,12 +14,12 @@ use crate::report::Report;
 
 const MACHINE: &str = "lm3s6965evb";
 
-/// A running board.
+/// An LM3S6965 board that runs in QEMU.
 pub struct Oled {
     running: Running,
     monitor: Monitor,
     socket: PathBuf,
-    /// Buttons that were released at least once.
+    /// Buttons that were released at least once since the start.
     released: Vec<Button>,
 }
 
@@ -55,7 +55,7 @@ impl Oled {
     /// Starts the firmware and waits for its first picture.
     pub fn start(elf: &Path) -> Result<(Self, Report)> {
         static COUNT: AtomicU32 = AtomicU32::new(0);
-        // Not in the target folder: the path of a socket is limited to about 100 bytes.
+        // The socket is not in the target folder, because its path is limited to about 100 bytes.
         let count = COUNT.fetch_add(1, Ordering::Relaxed);
         let socket = env::temp_dir().join(format!("whitted-{}-{count}.qmp", process::id()));
 
@@ -112,7 +112,8 @@ pub fn draw(elf: &Path, screenshot: Option<&Path>) -> Result<Report> {
     Ok(report)
 }
 
-/// Draws a scene, or the firmware's own scenes if `None`, until the first picture or in a window.
+/// Draws a scene, or the firmware's own scenes if `scene` is `None`. If `window` is true, shows the
+/// display in a window; otherwise stops after the first picture.
 pub fn run(scene: Option<&Path>, screenshot: Option<&Path>, window: bool) -> Result<()> {
     let elf = LM3S6965EVB.build(scene)?;
     if window {

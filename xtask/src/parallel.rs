@@ -3,10 +3,11 @@ use std::thread;
 
 use anyhow::{Context, Result};
 
-/// Emulators that run at a time.
+/// Number of emulators that run at the same time.
 const THREADS: usize = 2;
 
-/// Maps items on two threads, keeping their order. Returns the first error after all items.
+/// Calls a function for each item on two threads. Returns the results in the order of the items,
+/// or, after all items are done, the first error.
 pub(crate) fn map<T: Sync, R: Send>(
     items: &[T],
     work: impl Fn(&T) -> Result<R> + Sync,

@@ -1,4 +1,4 @@
-//! The Raspberry Pi Pico's firmware in the emulator rp2040js.
+//! Runs the Raspberry Pi Pico's firmware in the emulator rp2040js.
 
 mod button_test;
 mod emulator;
@@ -21,8 +21,8 @@ const BUDGET: Budget = Budget {
     bless: "cargo xtask pico --bless",
 };
 
-/// Builds the firmware with a scene, runs it, and compares the picture with the host's. Writes
-/// the picture to a PNG file on request.
+/// Builds the firmware with a scene, runs it, and compares the picture with the host's picture.
+/// Writes the picture to the PNG file `screenshot`, if given.
 pub fn draw(scene: &Path, screenshot: Option<&Path>) -> Result<()> {
     let elf = firmware::build(&[scene])?;
     let drawn = emulator::run(&elf, &[])?;
@@ -35,7 +35,7 @@ pub fn draw(scene: &Path, screenshot: Option<&Path>) -> Result<()> {
     }
 }
 
-/// Tests scenes, buttons and USB transfers, and compares cycles with the budget.
+/// Tests the drawing of scenes, the buttons and USB transfers, and compares cycles with the budget.
 pub fn check() -> Result<()> {
     firmware::lint()?;
     BUDGET.check(&button_test::run()?)
@@ -46,7 +46,8 @@ pub fn bless() -> Result<()> {
     BUDGET.bless(&button_test::run()?)
 }
 
-/// Builds a UF2 file with these scenes, or with the default scenes if the list is empty.
+/// Builds the firmware as a UF2 file with these scenes, or with the default scenes if the list is
+/// empty.
 pub fn uf2(scenes: &[PathBuf]) -> Result<()> {
     let scenes: Vec<_> = scenes.iter().map(PathBuf::as_path).collect();
     let file = firmware::uf2(&firmware::build(&scenes)?)?;

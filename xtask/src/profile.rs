@@ -1,5 +1,5 @@
-//! Profiles a frame: QEMU logs every instruction, and debug information names its function and
-//! line in the library.
+//! Profiles the drawing of a frame. QEMU logs every instruction, and the debug information maps its
+//! address to a function and a line of the library.
 
 use std::cmp::Reverse;
 use std::collections::HashMap;
@@ -11,16 +11,16 @@ use crate::core::Core;
 use crate::qemu::{Arithmetic, Machine, Running};
 use crate::symbols::Symbols;
 
-/// Function of the firmware that runs once the frame is drawn.
+/// Name of the function that the firmware calls when the frame is complete.
 const AFTER_THE_FRAME: &str = "measure::frame::checksum";
 
-/// Printed functions and lines.
+/// Number of functions and of lines that are printed.
 const TOP: usize = 30;
 
-/// Instructions by name of a function or line.
+/// Instruction counts by the name of a function or a line.
 type Tally = HashMap<String, u64>;
 
-/// Draws a frame and prints the functions and lines with most instructions.
+/// Draws a frame and prints the functions and lines that execute the most instructions.
 pub fn run(scene: &Path, core: Core, size: &str) -> Result<()> {
     let machine = Machine::of(core);
     let elf = machine.rig(Arithmetic::Fixed.rig()).build(None)?;
@@ -29,8 +29,8 @@ pub fn run(scene: &Path, core: Core, size: &str) -> Result<()> {
         .address_of(AFTER_THE_FRAME)
         .with_context(|| format!("the firmware has no function {AFTER_THE_FRAME}"))?;
     let mut qemu = machine.drawing(&elf, &Arithmetic::Fixed.compile(scene)?, size);
-    // Blocks of one instruction, each logged every time. QEMU 9.0 renames the first option to
-    // `-accel tcg,one-insn-per-tb=on`.
+    // QEMU logs blocks of instructions. With these options, a block has one instruction and is
+    // logged each time it runs. QEMU 9.0 renames `-singlestep` to `-accel tcg,one-insn-per-tb=on`.
     qemu.args(["-singlestep", "-d", "exec,nochain", "-D", "/dev/stdout"]);
     let qemu = Running::start(qemu)?;
     let mut counts = HashMap::<u64, u64>::new();
@@ -45,7 +45,8 @@ pub fn run(scene: &Path, core: Core, size: &str) -> Result<()> {
     let (mut functions, mut lines) = (Tally::new(), Tally::new());
     for (address, count) in &counts {
         let frames = symbols.frames(*address)?;
-        // Instructions of `core` and `fixed` count for the library function that inlined them.
+        // Inlined instructions of the crates `core` and `fixed` count for the calling library
+        // function.
         let function = match frames.iter().find(|frame| frame.is_library()) {
             Some(frame) => {
                 let line = format!("{}:{}", frame.file, frame.line);
@@ -74,7 +75,8 @@ fn print_top(tally: &Tally, total: u64) {
     }
 }
 
-/// Returns the program counter in `Trace 0: 0x7f0123456789 [00000000/00001234/...`.
+/// Returns the program counter in a line of QEMU's log. In the line `Trace 0: 0x7f0123456789
+/// [00000000/00001234/...`, it is 0x1234.
 fn address(line: &str) -> Option<u64> {
     let address = line.strip_prefix("Trace")?.split('/').nth(1)?;
     u64::from_str_radix(address, 16).ok()

@@ -32,7 +32,7 @@ const CHECKS: [Step; 11] = [
     ("mutants", mutants::check),
 ];
 
-/// Runs the checks whose names contain one of the words, or all checks without words.
+/// Runs the checks whose names contain one of the words, or all checks if there are no words.
 pub fn run(words: &[String]) -> Result<()> {
     steps::run(&CHECKS, words)
 }
@@ -42,23 +42,23 @@ fn panics() -> Result<()> {
     panics::link_broken()
 }
 
-/// Runs tests of the library and shows what they print.
+/// Runs tests of the library and shows their output.
 fn library_test(arguments: &[&str], variable: Option<(&str, &str)>) -> Result<()> {
     let mut test = cargo();
     test.args(["test", "--package", "whitted"]).args(arguments);
     run_command(test.args(["--", "--nocapture"]).envs(variable))
 }
 
-/// Draws scenes at the ends of all ranges, and compares arithmetic with exact integers, both with
-/// overflow checks.
+/// Draws scenes with values at the ends of all ranges, and compares arithmetic with exact integers.
+/// Arithmetic overflow makes these tests panic.
 fn overflow() -> Result<()> {
     library_test(&["--test", "fuzz"], Some(("RUNS", "20000")))?;
     library_test(&["--lib"], None)
 }
 
-/// Draws the scene with the deepest ray tree on the smallest cores, and checks the painted stack.
+/// Draws the scene with the deepest ray tree on the smallest cores, and checks the peak stack size.
 fn bounds() -> Result<()> {
-    /// Largest stack of the firmware and the renderer, in bytes.
+    /// Largest allowed stack size of the firmware with the renderer, in bytes.
     const STACK: u64 = 6 * 1024;
     let scene = Arithmetic::Fixed.compile(&root().join("tests/stress/scene.toml"))?;
     for core in [Core::M0, Core::M3] {

@@ -19,7 +19,7 @@ pub(crate) use running::Running;
 /// Name of QEMU's program for Arm.
 pub(crate) const QEMU: &str = "qemu-system-arm";
 
-/// A board of QEMU that reads scenes from the host by semihosting.
+/// A board in QEMU. Its firmware reads scenes from the host by semihosting.
 #[derive(Clone, Copy, Debug)]
 pub struct Machine {
     name: &'static str,
@@ -27,7 +27,7 @@ pub struct Machine {
 }
 
 impl Machine {
-    /// Returns the board with this core.
+    /// Returns the QEMU board that has this core.
     pub fn of(core: Core) -> Self {
         let (name, target) = match core {
             Core::M0 => ("mps2-an385", V6M),
@@ -39,17 +39,17 @@ impl Machine {
         Self { name, target }
     }
 
-    /// Returns a package of `tests/rigs`, to be built for the board.
+    /// Returns the firmware package in `tests/rigs` with this name, with the target of the board.
     pub fn rig(self, package: &'static str) -> Firmware {
         Firmware::new(package, self.target)
     }
 
-    /// Draws a scene that [`Arithmetic::compile`] has compiled.
+    /// Runs firmware that draws a scene file compiled by [`Arithmetic::compile`].
     pub fn draw(self, elf: &Path, scene: &Path, size: &str) -> Result<Report> {
         Running::start(self.drawing(elf, scene, size))?.finish()
     }
 
-    /// Runs firmware that needs no scene, until QEMU ends.
+    /// Runs firmware that needs no scene, until QEMU exits.
     pub fn run(self, elf: &Path) -> Result<Report> {
         self.start(elf)?.finish()
     }
@@ -61,12 +61,13 @@ impl Machine {
 
     /// Returns the QEMU command that draws a scene.
     pub(crate) fn drawing(self, elf: &Path, scene: &Path, size: &str) -> Command {
-        // QEMU ends a value at a comma, unless the comma is doubled.
+        // In options of QEMU, a comma ends a value; a comma in a path must be doubled.
         let scene = scene.display().to_string().replace(',', ",,");
         self.with_host(elf, &format!(",arg={size},arg={scene}"))
     }
 
-    /// Returns the QEMU command with semihosting. `arguments` is the firmware's command line.
+    /// Returns the QEMU command that runs firmware with semihosting. `arguments` is the firmware's
+    /// command line.
     fn with_host(self, elf: &Path, arguments: &str) -> Command {
         let mut qemu = firmware_in(self.name, elf);
         qemu.args(["-display", "none", "-chardev", "stdio,id=host"]);
@@ -76,12 +77,12 @@ impl Machine {
     }
 }
 
-/// Arithmetic that a scene is drawn with.
+/// The arithmetic with which firmware draws a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Arithmetic {
-    /// Fixed point, by the library.
+    /// Fixed point, as the library computes.
     Fixed,
-    /// Single-precision floats, by the oracle of the tests.
+    /// Single-precision floats, as the reference ray tracer in `tests/oracle` computes.
     Float,
 }
 
@@ -94,7 +95,8 @@ impl Arithmetic {
         }
     }
 
-    /// Compiles a scene file for the rig and returns the path of the result.
+    /// Compiles a scene file for the firmware that draws with this arithmetic, and returns the path
+    /// of the result.
     pub fn compile(self, scene: &Path) -> Result<PathBuf> {
         let (compiled, extension) = match self {
             Self::Fixed => (whitted_sim::scene_file::compile(scene)?, "bin"),
@@ -105,7 +107,8 @@ impl Arithmetic {
         };
         let name = scene.file_name().unwrap_or_default();
         let file = scratch_dir()?.join(name).with_extension(extension);
-        // Another thread may read the file of an earlier call, so the file is replaced at once.
+        // Another thread may read the file of an earlier call, so the new file is written under a
+        // temporary name and then replaces the old file in one operation.
         let temporary = file.with_extension(format!("{:?}", thread::current().id()));
         fs::write(&temporary, compiled)?;
         fs::rename(&temporary, &file)?;
@@ -113,7 +116,8 @@ impl Arithmetic {
     }
 }
 
-/// Returns a QEMU command whose clock counts instructions: each takes a nanosecond.
+/// Returns a QEMU command that runs firmware. The emulated clock counts instructions: each takes
+/// one nanosecond.
 pub(crate) fn firmware_in(machine: &str, elf: &Path) -> Command {
     let mut qemu = command(QEMU);
     qemu.args(["-machine", machine, "-icount", "shift=0", "-nodefaults"]);

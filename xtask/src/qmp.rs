@@ -1,4 +1,4 @@
-//! QEMU's monitor protocol, QMP.
+//! Controls a running QEMU by its monitor protocol, QMP.
 
 use std::io::{BufRead, BufReader, Write};
 use std::os::unix::net::UnixStream;
@@ -6,13 +6,13 @@ use std::path::Path;
 
 use anyhow::{Context, Result, bail};
 
-/// A connection to a running QEMU.
+/// A connection to the monitor of a running QEMU.
 pub(crate) struct Monitor {
     answers: BufReader<UnixStream>,
 }
 
 impl Monitor {
-    /// Connects to the monitor at a socket.
+    /// Connects to QEMU's monitor at a Unix socket.
     pub(crate) fn connect(socket: &Path) -> Result<Self> {
         let stream = UnixStream::connect(socket).context("cannot connect to QEMU's monitor")?;
         let mut monitor = Self {
@@ -26,7 +26,8 @@ impl Monitor {
     pub(crate) fn screendump(&mut self, file: &Path) -> Result<()> {
         let is_png = file.extension().is_some_and(|extension| extension == "png");
         let format = if is_png { "png" } else { "ppm" };
-        // Rust's escapes are valid in JSON for usual file names.
+        // Formatting with `{:?}` escapes the file name as Rust does, which is valid JSON for usual
+        // names.
         self.execute(&format!(
             r#"{{"execute": "screendump", "arguments": {{"filename": {:?}, "format": "{format}"}}}}"#,
             file.display().to_string(),
@@ -47,12 +48,12 @@ impl Monitor {
     }
 
     fn execute(&mut self, command: &str) -> Result<()> {
-        // One write, because QEMU obeys at the last bracket and may quit before a separate
-        // newline arrives.
+        // The command and its newline are sent in one write. QEMU executes a command at its last
+        // bracket and may quit before a separate newline arrives.
         let command = format!("{command}\n");
         self.answers.get_mut().write_all(command.as_bytes())?;
         let mut line = String::new();
-        // A greeting and events may precede the answer.
+        // Skips the greeting and events, which QEMU may send before the answer.
         while !line.starts_with(r#"{"return""#) {
             line.clear();
             if self.answers.read_line(&mut line)? == 0 || line.starts_with(r#"{"error""#) {

@@ -1,15 +1,15 @@
-//! Lines that firmware prints.
+//! Parses the lines that firmware prints.
 
 use std::fmt;
 
 use anyhow::{Context, Result, bail};
 
-/// The lines `key: value` that firmware has printed.
+/// A report: the lines `key: value` that firmware has printed.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Report(Vec<String>);
 
 impl Report {
-    /// Returns the report in these lines.
+    /// Creates a report from these lines.
     pub fn new(lines: Vec<String>) -> Self {
         Self(lines)
     }
@@ -23,12 +23,12 @@ impl Report {
         }
     }
 
-    /// Returns all lines.
+    /// Returns all lines of the report.
     pub(crate) fn lines(&self) -> &[String] {
         &self.0
     }
 
-    /// Returns the value of a key.
+    /// Returns the value of a key in the report.
     pub fn get(&self, key: &str) -> Result<&str> {
         self.0
             .iter()
@@ -36,7 +36,7 @@ impl Report {
             .with_context(|| format!("no {key:?} in the report:\n{self}"))
     }
 
-    /// Returns the number at a key.
+    /// Returns the value of a key in the report as a number.
     pub fn number(&self, key: &str) -> Result<u64> {
         let value = self.get(key)?;
         value.parse().with_context(|| format!("{key}: {value}"))

@@ -1,4 +1,4 @@
-//! Flash and RAM of firmware.
+//! Measures the flash and RAM of firmware.
 
 use std::fs;
 use std::path::Path;
@@ -12,16 +12,16 @@ use crate::firmware::{Firmware, LM3S6965EVB, TARGETS};
 /// Start address of RAM on every Cortex-M.
 const RAM: u64 = 0x2000_0000;
 
-/// Flash and RAM in bytes.
+/// Flash and RAM that firmware takes, in bytes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Usage {
-    /// Vectors, code, constants, and initial values of statics.
+    /// Flash: vectors, code, constants, and initial values of statics.
     pub flash: u64,
-    /// Statics, without the stack.
+    /// RAM of statics, without the stack.
     pub ram: u64,
 }
 
-/// Builds the LM3S6965 and headless firmware and prints flash and RAM.
+/// Builds the LM3S6965 and headless firmware and prints the flash and RAM that they take.
 pub fn print() -> Result<()> {
     let headless = TARGETS.map(|target| Firmware::new("headless", target));
     for firmware in [LM3S6965EVB].into_iter().chain(headless) {

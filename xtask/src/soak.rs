@@ -1,4 +1,4 @@
-//! Long animations in QEMU: each frame is compared with the host's frame.
+//! Draws long animations in QEMU and compares each frame with the host's frame.
 
 use anyhow::{Context, Result, ensure};
 use embedded_graphics_core::prelude::Size;
@@ -15,7 +15,7 @@ mod frames;
 #[allow(dead_code, reason = "times and size are for other firmware")]
 mod scene;
 
-/// Frames in one loop of the animation. The stack must not grow after the first loop.
+/// Number of frames in one loop of the animation. The stack must not grow after the first loop.
 const LOOP: u16 = 54;
 
 /// Draws frames on a core and compares their checksums with the host's. Returns the peak stack

@@ -5,8 +5,8 @@ use anyhow::{Result, bail, ensure};
 /// Name and function of a step.
 pub(crate) type Step = (&'static str, fn() -> Result<()>);
 
-/// Runs the steps whose names contain one of the words, or all steps without words, and prints
-/// a summary. Steps after a failed step still run, except after `tools`.
+/// Runs the steps whose names contain one of the words, or all steps if there are no words. Prints
+/// a summary. If a step fails, the next steps still run, unless the failed step is `tools`.
 pub(crate) fn run(steps: &[Step], words: &[String]) -> Result<()> {
     let mut selected = steps.to_vec();
     selected.retain(|(name, _)| words.is_empty() || words.iter().any(|word| name.contains(word)));

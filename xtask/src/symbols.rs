@@ -1,4 +1,4 @@
-//! Functions and source lines of firmware, from its symbol table and debug information.
+//! Finds the functions and source lines of firmware in its symbol table and debug information.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -11,25 +11,25 @@ use object::{Object, ObjectSection, ObjectSymbol, SectionKind, SymbolKind};
 
 use crate::root;
 
-/// Symbols of an ELF file.
+/// Symbols and debug information of an ELF file.
 pub(crate) struct Symbols {
     loader: Loader,
-    /// Code sections: address and length.
+    /// Address and length of each code section.
     code: Vec<(u64, u64)>,
-    /// Start addresses and names of functions, sorted.
+    /// Start address and name of each function, sorted by address.
     functions: Vec<(u64, String)>,
 }
 
-/// A function at an address, possibly inlined into the next frame.
+/// A stack frame at a code address: a function, which may be inlined into the next frame.
 pub(crate) struct Frame {
     pub(crate) function: String,
-    /// Source file, relative to the root for files of the project.
+    /// Source file. The path of a project file is relative to the root of the project.
     pub(crate) file: String,
     pub(crate) line: u32,
 }
 
 impl Frame {
-    /// Returns true if the source is the library.
+    /// Returns true if the function is in a source file of the library.
     pub(crate) fn is_library(&self) -> bool {
         self.file.starts_with("src/")
     }
@@ -50,7 +50,7 @@ impl Symbols {
             .filter(|symbol| symbol.kind() == SymbolKind::Text && symbol.size() > 0)
             .map(|symbol| {
                 let name = demangle_auto(symbol.name().unwrap_or_default().into(), None);
-                // Bit 0 of the address marks Thumb code.
+                // Bit 0 of a symbol's address marks Thumb code and is not part of the address.
                 (symbol.address() & !1, name.into_owned())
             })
             .collect();
@@ -63,7 +63,7 @@ impl Symbols {
         })
     }
 
-    /// Returns the frames at an address, innermost first.
+    /// Returns the frames at a code address, beginning with the innermost inlined function.
     pub(crate) fn frames(&self, address: u64) -> Result<Vec<Frame>> {
         let invalid = |error| anyhow!("debug information: {error}");
         let root = format!("{}/", root().display());
@@ -84,7 +84,7 @@ impl Symbols {
         Ok(found)
     }
 
-    /// Returns the name of the function at an address.
+    /// Returns the name of the function at a code address, from the symbol table.
     pub(crate) fn symbol(&self, address: u64) -> &str {
         let next = self
             .functions
@@ -101,10 +101,10 @@ impl Symbols {
         functions.find_map(|(start, name)| (name == function).then_some(*start))
     }
 
-    /// Returns the bytes of library code, inlined or not, by the file of the outermost function
-    /// of the library.
+    /// Returns the bytes of library code in the firmware by source file, including inlined code. An
+    /// instruction counts for the file of the outermost library function among its frames.
     pub(crate) fn library_sizes(&self) -> Result<BTreeMap<String, u64>> {
-        /// Size of the shortest instruction.
+        /// Size of the shortest Thumb instruction, in bytes.
         const STEP: u64 = 2;
         let mut sizes = BTreeMap::new();
         for (start, length) in &self.code {

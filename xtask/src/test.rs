@@ -28,7 +28,7 @@ const STEPS: [Step; 15] = [
     ("pico", pico::check),
 ];
 
-/// Runs the steps whose names contain one of the words, or all steps without words.
+/// Runs the steps whose names contain one of the words, or all steps if there are no words.
 pub fn run(words: &[String]) -> Result<()> {
     steps::run(&STEPS, words)
 }
@@ -45,7 +45,8 @@ fn docs() -> Result<()> {
     command::run(doc.env("RUSTDOCFLAGS", "-D warnings"))
 }
 
-/// Runs the tests on the host, with 300 of the 1000 random scenes that `prove pictures` draws.
+/// Runs the tests on the host. They draw 300 random scenes; `cargo xtask prove pictures` draws
+/// 1000.
 fn test_host() -> Result<()> {
     let mut test = cargo();
     test.args(["test", "--quiet", "--no-fail-fast"])
@@ -53,7 +54,7 @@ fn test_host() -> Result<()> {
     command::run(test.env("SCENES", "300"))
 }
 
-/// Tests the window on a virtual X screen.
+/// Tests the window of `sim view` on a virtual X screen.
 fn test_window() -> Result<()> {
     let mut xvfb = command("xvfb-run");
     xvfb.args(["--auto-servernum", "--server-args", "-screen 0 800x700x24"]);
@@ -63,7 +64,8 @@ fn test_window() -> Result<()> {
     command::run(&mut xvfb)
 }
 
-/// Checks the flash of all boards, and the pictures of the STM32F405 in QEMU.
+/// Compares the flash of all boards with the budgets, and checks the pictures of the STM32F405 in
+/// QEMU.
 fn test_boards() -> Result<()> {
     board::build_all()?;
     command::run(cargo().args(["test", "--quiet", "--package", "xtask", "--test", "boards"]))

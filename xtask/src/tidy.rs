@@ -1,4 +1,4 @@
-//! Rules of the source code that Clippy has no lints for.
+//! Checks rules of the source code for which Clippy has no lints.
 
 mod callers;
 mod cycles;
@@ -18,12 +18,12 @@ use crate::root;
 use modules::Crate;
 use source::Source;
 
-/// Checks all rules and prints every violation.
+/// Checks all rules for the source code and prints every violation.
 pub fn run() -> Result<()> {
     let mut violations = Vec::new();
     let mut sources = Vec::new();
     for path in committed_files()? {
-        // Files that are not UTF-8 have no words.
+        // A file that is not UTF-8 is not text, so it has no words to check.
         let Ok(text) = String::from_utf8(fs::read(root().join(&path))?) else {
             continue;
         };
@@ -47,7 +47,7 @@ pub fn run() -> Result<()> {
     Ok(())
 }
 
-/// Returns the paths of files that are committed or not ignored.
+/// Returns the paths of all files in the project that Git does not ignore.
 fn committed_files() -> Result<Vec<PathBuf>> {
     let mut git = command("git");
     git.args([
@@ -62,6 +62,6 @@ fn committed_files() -> Result<Vec<PathBuf>> {
     ensure!(output.status.success(), "git failed: {errors}");
     let list = String::from_utf8(output.stdout)?;
     let files = list.split_terminator('\0').map(PathBuf::from);
-    // Git lists deleted files until the deletion is committed.
+    // Leaves out deleted files, which Git lists until the deletion is committed.
     Ok(files.filter(|path| root().join(path).is_file()).collect())
 }

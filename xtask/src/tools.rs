@@ -7,26 +7,29 @@ use anyhow::{Context, Result, bail};
 use crate::command::{cargo, command, run, works};
 use crate::qemu::QEMU;
 
-/// Commands that succeed if a program is installed, and Debian packages that have the program.
+/// For each program: a command that succeeds if it is installed, and the Debian packages that
+/// contain it.
 const PROGRAMS: [([&str; 2], &[&str]); 3] = [
     ([QEMU, "--version"], &["qemu-system-arm"]),
     (["sdl2-config", "--version"], &["libsdl2-dev"]),
     (["xvfb-run", "--help"], &["xvfb", "xauth"]),
 ];
 
-/// Installs the programs that `cargo xtask test` needs; rust-toolchain.toml lists the targets and
-/// components. Returns an error with the command to run if that is impossible.
+/// Installs the programs that `cargo xtask test` needs. If that is impossible, returns an error
+/// with the command to run. Rust targets and components are not included: rustup installs those in
+/// rust-toolchain.toml.
 pub(crate) fn install() -> Result<()> {
     let mut programs = PROGRAMS.iter();
     programs.try_for_each(|(program, packages)| install_program(*program, packages))
 }
 
-/// Installs npm if missing. Only the Raspberry Pi Pico's emulator needs it.
+/// Installs npm if it is missing. Only the Raspberry Pi Pico's emulator needs npm.
 pub(crate) fn install_npm() -> Result<()> {
     install_program(["npm", "--version"], &["nodejs", "npm"])
 }
 
-/// Installs flip-link if missing: the linker of boards, which places the stack below the statics.
+/// Installs flip-link if it is missing. This linker, which boards use, places the stack below the
+/// statics.
 pub(crate) fn install_flip_link() -> Result<()> {
     let path = env::var_os("PATH").unwrap_or_default();
     let name = format!("flip-link{}", env::consts::EXE_SUFFIX);
@@ -37,7 +40,8 @@ pub(crate) fn install_flip_link() -> Result<()> {
         .context("flip-link is missing; run `cargo install --locked flip-link`")
 }
 
-/// Returns an error with the command to run unless a program answers to `--version`.
+/// Checks that a program is installed, by running it with `--version`. If it is missing, returns an
+/// error with the command to install it.
 pub(crate) fn require(program: &[&str], install: &str) -> Result<()> {
     let [name, arguments @ ..] = program else {
         return Ok(());
@@ -48,7 +52,8 @@ pub(crate) fn require(program: &[&str], install: &str) -> Result<()> {
     bail!("{} is missing; run `{install}`", program.join(" "))
 }
 
-/// Installs the packages as root on Debian. Elsewhere returns an error with their names.
+/// Installs the packages of a missing program if this process is root on Debian. Otherwise returns
+/// an error with the names of the packages.
 fn install_program([program, argument]: [&str; 2], packages: &[&str]) -> Result<()> {
     if works(command(program).arg(argument)) {
         return Ok(());

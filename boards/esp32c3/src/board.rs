@@ -15,25 +15,25 @@ use esp_hal::timer::timg::{MwdtStage, TimerGroup, Wdt};
 use mipidsi::options::{ColorInversion, Orientation, Rotation};
 use mipidsi::{Builder, interface::SpiInterface, models::ST7789};
 
-// Application descriptor, which the second-stage bootloader requires.
+// The second-stage bootloader requires an application descriptor.
 esp_bootloader_esp_idf::esp_app_desc!();
 
-/// Display and watchdog, ready to use.
+/// The initialized display and watchdog of the board.
 pub(crate) struct Board<D> {
     pub(crate) display: D,
-    /// Resets the chip if it is not fed for four seconds.
+    /// Resets the chip if the firmware does not feed the watchdog for four seconds.
     pub(crate) watchdog: Wdt<TIMG0<'static>>,
 }
 
-/// Initializes the board; `line` is the transfer buffer of the display driver.
+/// Initializes the board. The display driver uses `line` as its transfer buffer.
 ///
-/// Must be called only once.
+/// This function must be called only once.
 pub(crate) fn init(
     line: &mut [u8],
 ) -> Board<impl DrawTarget<Color = Rgb565, Error: Debug> + OriginDimensions> {
     let chip = esp_hal::init(esp_hal::Config::default().with_cpu_clock(CpuClock::max()));
 
-    // Wiring.
+    // Pins that the display is wired to.
     let clock = chip.GPIO6;
     let output = chip.GPIO7;
     let select = Output::new(chip.GPIO10, Level::High, OutputConfig::default());

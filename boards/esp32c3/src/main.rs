@@ -17,7 +17,7 @@ use whitted::scene::SceneCounts;
 
 use board::Board;
 
-/// The compiled scene.
+/// The compiled scene in flash.
 static SCENE: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/scene.bin"));
 
 /// Number of objects, lights and materials in the scene.
@@ -37,13 +37,13 @@ fn main() -> ! {
     match buffer.decode(SCENE) {
         Ok(scene) => {
             let mut renderer = Renderer::new(&scene, display.size());
-            // Progressive order: blocks of 16 pixels first, single pixels last.
+            // Progressive order draws blocks of 16 pixels first and single pixels last.
             let mut progress = RenderProgress::progressive(display.bounding_box());
             while !progress.is_complete() {
                 match renderer.step(&mut progress, Step::Line, &mut display) {
                     Ok(()) => watchdog.feed(),
-                    // The next step sends the same line again. If the display keeps
-                    // failing, the watchdog resets the chip.
+                    // After a display error, the next step sends the line again. If the
+                    // display keeps failing, the watchdog resets the chip.
                     Err(error) => println!("display error: {error:?}"),
                 }
             }

@@ -9,13 +9,13 @@ use crate::register::Registers;
 use crate::ssd0323::{Pixels, Ssd0323};
 use crate::uart::Uart;
 
-/// Period of the system clock after reset, in QEMU: 12.5 MHz.
+/// Period of the system clock. In QEMU, the clock runs at 12.5 MHz after reset.
 ///
 /// The real chip starts from its internal oscillator, at 12 MHz ± 30 %.
 const NANOSECONDS_PER_CLOCK: u32 = 80;
 
-// SAFETY: these are the peripheral addresses of the data sheet. Each is used by one driver
-// only, except `UART_0`, which the panic handler also uses.
+// SAFETY: the peripheral addresses are from the data sheet. Only one driver uses each
+// peripheral, except `UART_0`, which the panic handler also uses.
 const SYSTEM_CONTROL: Registers = unsafe { Registers::at(0x400F_E000) };
 const PORT_A: Port = Port::new(unsafe { Registers::at(0x4000_4000) });
 const PORT_C: Port = Port::new(unsafe { Registers::at(0x4000_6000) });
@@ -45,15 +45,17 @@ impl Board {
         // A peripheral is accessible three cycles after its clock is enabled.
         cortex_m::asm::delay(8);
 
-        // UART 0 on PA0 and PA1; SSI 0 clock, select and output on PA2, PA3 and PA5.
+        // UART 0 uses PA0 and PA1. SSI 0 has its clock, chip select and output on PA2, PA3
+        // and PA5.
         PORT_A.set_alternate_function(0b10_1111);
         let Ok(()) = PORT_C.output(6).set_high(); // 15 V supply of the panel
         let Ok(()) = PORT_D.output(0).set_high(); // deselects the SD card
-        // 12 MHz / 4 = 3 MHz; the controller allows up to 4 MHz.
+        // The SPI clock is 12 MHz / 4 = 3 MHz. The display controller allows up to 4 MHz.
         let spi = Pl022::new(SSI_0, 4);
         let Ok(oled) = Ssd0323::new(spi, PORT_C.output(7), pixels);
 
-        // Up, down, left and right are PE0 to PE3; select is PF1.
+        // The up, down, left and right buttons are at PE0 to PE3. The select button is at
+        // PF1.
         let buttons = Buttons::new(PORT_E.button_inputs(0b1111), PORT_F.button_inputs(0b10));
 
         // SAFETY: `new` is called once, and no other code uses the core peripherals.
@@ -69,7 +71,7 @@ impl Board {
 
 /// Returns the UART for the panic handler.
 ///
-/// The handler never returns, so no other code uses the UART afterwards.
+/// The panic handler never returns, so no other code uses the UART afterwards.
 pub(crate) fn panic_uart() -> Uart {
     Uart::new(UART_0)
 }

@@ -24,7 +24,8 @@ pub(crate) struct Buttons {
 }
 
 impl Buttons {
-    /// Creates the driver: arrow buttons at pins 0 to 3, select button at pin 1.
+    /// Creates the driver. The arrow buttons are at pins 0 to 3 of `arrows`, the select
+    /// button is at pin 1 of `select`.
     pub(crate) fn new(arrows: Inputs, select: Inputs) -> Self {
         cortex_m::interrupt::disable();
         for port in [Interrupt::PortE, Interrupt::PortF] {
@@ -50,7 +51,7 @@ impl Buttons {
             if let Some(button) = self.take_press() {
                 return button;
             }
-            // A change that is already latched does not wake the core again.
+            // A pin change that is already latched does not wake the core again.
             if !self.arrows.has_changes() && !self.select.has_changes() {
                 cortex_m::asm::wfi();
                 NVIC::unpend(Interrupt::PortE);
@@ -60,14 +61,14 @@ impl Buttons {
     }
 }
 
-/// Interrupts of the GPIO ports of the buttons.
+/// Interrupts of the two GPIO ports that the buttons are connected to.
 #[derive(Clone, Copy)]
 enum Interrupt {
     PortE = 4,
     PortF = 30,
 }
 
-// SAFETY: these are the interrupt numbers of the data sheet.
+// SAFETY: the interrupt numbers are from the data sheet.
 unsafe impl InterruptNumber for Interrupt {
     fn number(self) -> u16 {
         self as u16

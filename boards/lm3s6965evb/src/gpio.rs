@@ -13,7 +13,7 @@ const ALTERNATE_FUNCTION: usize = 0x420;
 const PULL_UP: usize = 0x510;
 const DIGITAL_ENABLE: usize = 0x51C;
 
-/// Debounce delay: 5 ms at 12 MHz.
+/// Debounce delay in clocks: 5 ms at 12 MHz.
 const DEBOUNCE_CLOCKS: u32 = 60_000;
 
 /// GPIO port of the chip.
@@ -26,7 +26,7 @@ impl Port {
         Self(registers)
     }
 
-    /// Connects the pins of a mask to their peripherals.
+    /// Connects the pins in the bit mask `pins` to their peripherals.
     pub(crate) fn set_alternate_function(self, pins: u32) {
         self.0.set(ALTERNATE_FUNCTION, pins);
         self.0.set(DIGITAL_ENABLE, pins);
@@ -40,7 +40,8 @@ impl Port {
         Output { port: self.0, mask }
     }
 
-    /// Configures the pins of a mask as inputs with pull-ups, for buttons to ground.
+    /// Configures the pins in the bit mask `pins` as inputs with pull-ups, for buttons to
+    /// ground.
     pub(crate) fn button_inputs(self, pins: u32) -> Inputs {
         self.0.set(PULL_UP, pins);
         self.0.set(DIGITAL_ENABLE, pins);
@@ -56,28 +57,29 @@ impl Port {
     }
 }
 
-/// Input pins of buttons to ground. The port latches changes of the pins.
+/// Input pins of a port, for buttons to ground. The port latches each change of a pin.
 pub(crate) struct Inputs {
     port: Registers,
-    /// Pins that were low at startup and have not changed since. In QEMU, all pins start low.
+    /// Mask of the pins that were low at startup and have not changed since. In QEMU, all
+    /// pins start low.
     low_at_start: u32,
 }
 
 impl Inputs {
-    /// Returns the pins of a mask that are low.
+    /// Returns the bits of the mask `pins` whose pins are low.
     fn low_pins(&self, pins: u32) -> u32 {
         pins & !self.port.read((pins << 2) as usize)
     }
 
-    /// Returns true if a latched change has not been read yet.
+    /// Returns true if the port has latched a pin change that has not been read yet.
     pub(crate) fn has_changes(&self) -> bool {
         self.port.read(MASKED_STATUS) != 0
     }
 
-    /// Returns true if the button at a pin was pressed since the last call.
+    /// Returns true if the button at `pin` was pressed since the last call.
     ///
-    /// A press is a change to low. For a pin that was low at startup, the first change
-    /// counts as a press.
+    /// A press is a change of the pin to low. For a pin that was low at startup, the first
+    /// change counts as a press.
     pub(crate) fn take_press(&mut self, pin: u8) -> bool {
         let mask = 1 << pin;
         if self.port.read(MASKED_STATUS) & mask == 0 {
@@ -100,8 +102,8 @@ pub(crate) struct Output {
 impl Output {
     /// Sets the pin level.
     ///
-    /// Bits 2 to 9 of the data register address select the pins that a write changes, so
-    /// outputs of one port are independent.
+    /// Bits 2 to 9 of the address of a data register access select the pins that a write
+    /// changes. The outputs of a port are therefore independent.
     fn drive(&mut self, levels: u32) {
         self.port.write((self.mask << 2) as usize, levels);
     }

@@ -26,8 +26,8 @@ use whitted::{DecodeError, PreparedScene, Real, Renderer};
 use board::Board;
 use buttons::Button;
 
-// Defines `static SCENES: [&[u8]; N]`, the compiled scenes, and `const COUNTS`, the buffer
-// capacity that fits each of them.
+// The included file defines `static SCENES: [&[u8]; N]`, the compiled scenes, and
+// `const COUNTS`, the buffer capacity that fits each of these scenes.
 include!(concat!(env!("OUT_DIR"), "/scenes.rs"));
 
 /// Orbit angle per button press, in degrees.
@@ -50,7 +50,8 @@ fn main() -> ! {
     }
 }
 
-/// Shows a scene and moves the camera, until the select button is pressed.
+/// Shows a scene and lets the user move the camera. Returns when the select button is
+/// pressed.
 fn show(scene: &mut PreparedScene<'_>, board: &mut Board) {
     loop {
         match draw(scene, board) {
@@ -64,17 +65,18 @@ fn show(scene: &mut PreparedScene<'_>, board: &mut Board) {
 }
 
 /// Orbits the camera around its target by angles in degrees.
-#[inline(never)] // keeps its locals off the stack while a picture is drawn
+#[inline(never)] // keeps the locals of `orbit` off the stack while a picture is drawn
 fn orbit(scene: &mut PreparedScene<'_>, yaw: Real, pitch: Real) {
     let camera = scene.camera().orbited(yaw, pitch);
-    // An invalid position is ignored: the camera stays where it is.
+    // The error is ignored: if the new position is invalid, the camera stays where it is.
     _ = scene.set_camera(&camera);
 }
 
-/// Draws a picture in progressive order until a button is pressed.
+/// Draws a picture in progressive order. Returns the first button that is pressed, during
+/// or after drawing.
 ///
-/// After the last pass, traces the picture again for its checksum and prints a report on
-/// the UART.
+/// After the last pass, the function traces the picture again for its checksum and prints a
+/// report on the UART.
 fn draw(scene: &PreparedScene<'_>, board: &mut Board) -> Button {
     let mut renderer = Renderer::new(scene, board.oled.size());
     let mut progress = RenderProgress::progressive(board.oled.bounding_box());
@@ -101,8 +103,8 @@ fn draw(scene: &PreparedScene<'_>, board: &mut Board) -> Button {
     }
 }
 
-/// Shows why a scene cannot be drawn, until the select button is pressed.
-#[inline(never)] // keeps its locals off the stack while a picture is drawn
+/// Shows the reason why a scene cannot be drawn. Returns when the select button is pressed.
+#[inline(never)] // keeps the locals of `show_error` off the stack while a picture is drawn
 fn show_error(error: DecodeError, board: &mut Board) {
     let text = format_args!("The scene in flash cannot be drawn: {error}.");
     _ = message_page::write(&mut board.oled, &FONT_5X8, text);

@@ -1,6 +1,7 @@
-//! Panic handler: prints file and line on the UART.
+//! Panic handler, which prints the file and line of the panic on the UART.
 //!
-//! The message is omitted, because its formatting code would be larger than the ray tracer.
+//! The handler omits the panic message, because the code to format it would be larger than
+//! the ray tracer.
 
 use core::fmt::Write;
 use core::panic::PanicInfo;

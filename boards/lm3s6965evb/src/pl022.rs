@@ -21,7 +21,7 @@ const RECEIVED: u32 = 1 << 2;
 pub(crate) struct Pl022(Registers);
 
 impl Pl022 {
-    /// Initializes the SPI in mode 0, most significant bit first.
+    /// Initializes the SPI in mode 0. The most significant bit is sent first.
     ///
     /// The SPI clock is the system clock divided by `divisor`, which must be even.
     pub(crate) fn new(registers: Registers, divisor: u8) -> Self {
@@ -34,8 +34,8 @@ impl Pl022 {
 
     /// Sends a byte and returns the received byte.
     ///
-    /// The transfer is complete when the function returns, so the D/C pin may change and
-    /// the receive FIFO never overflows.
+    /// The transfer is complete when this function returns. The caller may then change the
+    /// D/C pin, and the receive FIFO never overflows.
     fn exchange(&mut self, byte: u8) -> u8 {
         self.0.write(DATA, u32::from(byte));
         while self.0.read(STATUS) & RECEIVED == 0 {}

@@ -1,4 +1,4 @@
-/// The 32-bit registers of a peripheral.
+/// Handle for the 32-bit registers of a peripheral.
 #[derive(Clone, Copy)]
 pub(crate) struct Registers(usize);
 

@@ -5,16 +5,16 @@ use embedded_hal::{digital::OutputPin, spi::SpiDevice};
 
 const WIDTH: usize = 128;
 const HEIGHT: usize = 64;
-/// Two pixels share a byte: the left pixel is in the high nibble.
+/// Bytes per row. Two pixels share a byte: the left pixel is in the high nibble.
 const ROW_BYTES: usize = WIDTH / 2;
 
-/// Framebuffer in the format of the controller, row by row.
+/// Framebuffer in the pixel format of the SSD0323, row by row.
 pub(crate) type Pixels = [u8; ROW_BYTES * HEIGHT];
 
 /// Black framebuffer.
 pub(crate) const BLACK: Pixels = [0; ROW_BYTES * HEIGHT];
 
-/// Commands that initialize a 128x64 panel; the display stays off.
+/// Commands that initialize a 128x64 panel. The display stays off.
 const INIT: &[u8] = &[
     0xAE, // display off
     0x81, 50,   // contrast: 50 of 127
@@ -39,8 +39,9 @@ const SET_ROWS: u8 = 0x75;
 
 /// Driver of a 128x64 OLED with 16 gray levels and a Solomon SSD0323 controller.
 ///
-/// Each drawn area is sent immediately, as one window and one burst. A byte of the
-/// controller holds two pixels and cannot be read back, so the driver keeps a framebuffer.
+/// The driver sends each drawn area immediately, as one window and one burst. Two pixels
+/// share a byte of the controller memory, which cannot be read back, so the driver keeps a
+/// framebuffer.
 pub(crate) struct Ssd0323<'p, SPI, DC> {
     spi: SPI,
     /// D/C pin: low for commands, high for data.
@@ -72,7 +73,8 @@ where
 
     /// Sets a pixel in the framebuffer. Points outside the display are ignored.
     fn set(&mut self, point: Point, color: Gray4) {
-        // The cast makes negative coordinates large, so they fail the bounds check.
+        // The cast turns negative coordinates into large values, which fail the bounds
+        // check.
         let (x, y) = (point.x as u32 as usize, point.y as u32 as usize);
         if x < WIDTH && y < HEIGHT {
             let byte = &mut self.pixels[y * ROW_BYTES + x / 2];
@@ -121,7 +123,7 @@ where
     type Color = Gray4;
     type Error = SPI::Error;
 
-    /// Sends the bounding box of the pixels.
+    /// Draws the pixels into the framebuffer and sends their bounding box.
     fn draw_iter<I>(&mut self, pixels: I) -> Result<(), SPI::Error>
     where
         I: IntoIterator<Item = Pixel<Gray4>>,

@@ -19,7 +19,7 @@ pub(crate) struct Uart(Registers);
 impl Uart {
     /// Initializes the UART for a system clock of 12 MHz.
     pub(crate) fn new(registers: Registers) -> Self {
-        // Baud rate divisor: 12 MHz / (16 * 115,200) = 6 + 33/64.
+        // The baud rate divisor is 12 MHz / (16 * 115,200) = 6 + 33/64.
         registers.write(DIVISOR, 6);
         registers.write(DIVISOR_FRACTION, 33);
         registers.write(LINE_CONTROL, EIGHT_BITS_WITH_FIFO);

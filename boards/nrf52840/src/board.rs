@@ -9,7 +9,7 @@ use embedded_hal_bus::spi::{ExclusiveDevice, NoDelay};
 use mipidsi::options::{ColorOrder, Orientation, Rotation};
 use mipidsi::{Builder, interface::SpiInterface, models::ILI9341Rgb565};
 
-/// SPI device of the display: blocking and asynchronous, by DMA.
+/// SPI device of the display. It sends by DMA, in blocking or asynchronous transfers.
 type Device = ExclusiveDevice<Spim<'static>, Output<'static>, NoDelay>;
 
 /// The display with its blocking driver.
@@ -20,20 +20,21 @@ bind_interrupts!(struct Interrupts {
     SPIM3 => spim::InterruptHandler<peripherals::SPI3>;
 });
 
-/// Display and watchdog, ready to use.
+/// The initialized display and watchdog of the board.
 pub(crate) struct Board<'l> {
     pub(crate) display: Display<'l>,
-    /// Resets the chip if it is not fed for four seconds.
+    /// Resets the chip if the firmware does not feed the watchdog for four seconds.
     pub(crate) watchdog: WatchdogHandle,
 }
 
-/// Initializes the board; `line` is the transfer buffer of the display driver.
+/// Initializes the board. The display driver uses `line` as its transfer buffer.
 ///
-/// Must be called only once.
+/// This function must be called only once.
 pub(crate) fn init(line: &mut [u8]) -> Board<'_> {
     let chip = embassy_nrf::init(embassy_nrf::config::Config::default());
 
-    // Wiring: pins D8 to D11 and D13 of the nRF52840-DK, as on Arduino display shields.
+    // The display is wired to pins D8 to D11 and D13 of the nRF52840-DK, as on Arduino
+    // display shields.
     let drive = OutputDrive::Standard;
     let reset = Output::new(chip.P1_10, Level::High, drive);
     let data_or_command = Output::new(chip.P1_11, Level::Low, drive);

@@ -1,7 +1,7 @@
 //! Draws a scene on an ILI9341 display of 320x240 pixels, on an nRF52840.
 //!
-//! Traces each line while DMA sends the previous line. The build script compiles the scene
-//! on the host into flash. `board.rs` initializes the hardware.
+//! The firmware traces each line while DMA sends the previous line. The build script
+//! compiles the scene on the host into flash. `board.rs` initializes the hardware.
 
 #![no_std]
 #![no_main]
@@ -25,7 +25,7 @@ use {defmt_rtt as _, panic_probe as _};
 
 use board::{Board, Display};
 
-/// The compiled scene.
+/// The compiled scene in flash.
 static SCENE: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/scene.bin"));
 
 /// Number of objects, lights and materials in the scene.
@@ -66,7 +66,8 @@ async fn main(_spawner: Spawner) {
     }
 }
 
-/// Draws the first pass of progressive order, in blocks of 16 pixels: 1/256 of the work.
+/// Draws a preview: the first pass of progressive order, in blocks of 16 pixels. The
+/// preview takes 1/256 of the work of the picture.
 fn draw_preview(renderer: &mut Renderer<'_>, display: &mut Display<'_>) {
     let mut progress = RenderProgress::progressive(display.bounding_box());
     if renderer.step(&mut progress, Step::Pass, display).is_err() {
@@ -80,14 +81,14 @@ async fn draw_lines(
     mut display: Display<'_>,
     watchdog: &mut WatchdogHandle,
 ) {
-    // Selects the whole display as window and starts a pixel transfer. All lines are then
-    // sent without the blocking driver.
+    // Select the whole display as the window and start a pixel transfer. After that, all
+    // lines are sent without the blocking driver.
     let window = display.set_pixels(0, 0, WIDTH - 1, HEIGHT - 1, core::iter::empty());
     if window.is_err() {
         defmt::panic!("display error");
     }
-    // Bindings keep the reset and D/C pins alive, so the pins hold their levels until the
-    // end of the function.
+    // The variables keep the reset and D/C pins alive, so that both pins hold their levels
+    // until the end of the function.
     let (interface, _, _reset) = display.release();
     let (mut device, _data_or_command) = interface.release();
 
@@ -95,8 +96,8 @@ async fn draw_lines(
     trace_line(renderer, 0, &mut traced);
     for next in 1..=u32::from(HEIGHT) {
         swap(&mut sent, &mut traced);
-        // `join` polls `write` first, which starts the DMA, and traces the next line while
-        // the transfer runs. The line after the last one is empty.
+        // `join` polls `write` first, which starts the DMA transfer. While the transfer
+        // runs, `join` traces the next line. The line after the bottom line is empty.
         let trace = async { trace_line(renderer, next, &mut traced) };
         let (result, ()) = join(device.write(&sent), trace).await;
         if result.is_err() {

@@ -24,7 +24,7 @@ use crate::usb::{self, SceneReceiver};
 #[used]
 static BOOT2: [u8; 256] = rp2040_boot2::BOOT_LOADER_W25Q080;
 
-/// Frequency of the crystal; the core runs at 125 MHz.
+/// Frequency of the crystal. The core runs at 125 MHz.
 const CRYSTAL_HZ: u32 = 12_000_000;
 
 /// Transfer buffer of the display driver: one line of 16-bit pixels.
@@ -35,7 +35,7 @@ type Input = Pin<DynPinId, FunctionSioInput, PullUp>;
 type Bus = Spi<Enabled, LcdSpi, (LcdData, LcdClock)>;
 type Interface = SpiInterface<'static, ExclusiveDevice<Bus, Output, NoDelay>, Output>;
 
-/// The display. SPI transfers are write-only and cannot fail.
+/// Display on the SPI bus. SPI transfers are write-only and cannot fail.
 pub(crate) type Display = mipidsi::Display<Interface, ST7789, Output>;
 
 /// User input.
@@ -50,13 +50,13 @@ pub(crate) enum Event {
 /// Peripherals of the board that the firmware uses.
 pub(crate) struct Board {
     pub(crate) display: Display,
-    /// Resets the board if it is not fed for two seconds.
+    /// Resets the board if the firmware does not feed the watchdog for two seconds.
     watchdog: Watchdog,
-    /// On while a picture is drawn.
+    /// LED that is on while a picture is drawn.
     pub(crate) led: Output,
     buttons: Buttons<Input>,
     timer: Timer,
-    /// Validates a received scene while another scene is drawn.
+    /// Memory to validate a received scene while another scene is drawn.
     validation_buffer: &'static mut Buffer,
 }
 
@@ -117,7 +117,7 @@ impl Board {
             .invert_colors(pins::LCD_INVERSION)
             .init(&mut timer)
             .unwrap_or_else(|_| panic!("display initialization failed"));
-        // The display memory is undefined after power-on.
+        // Clear the display first, because its memory is undefined after power-on.
         let Ok(()) = display.clear(Rgb565::BLACK);
         let Ok(()) = pins.lcd_backlight.into_push_pull_output().set_high();
 
@@ -140,7 +140,7 @@ impl Board {
         }
     }
 
-    /// Returns the user input since the last call. Feeds the watchdog.
+    /// Feeds the watchdog and returns the user input since the last call.
     ///
     /// After [`Event::Received`], the caller must store the scene with
     /// [`Scenes::store_received`](crate::scenes::Scenes::store_received).
@@ -153,9 +153,9 @@ impl Board {
         is_received.then_some(Event::Received)
     }
 
-    /// Waits for user input.
+    /// Waits for user input and returns it.
     ///
-    /// Polls every 10 ms, which is longer than the buttons bounce.
+    /// The buttons are polled every 10 ms. They bounce for less time than that.
     pub(crate) fn wait(&mut self) -> Event {
         loop {
             self.timer.delay_ms(10);

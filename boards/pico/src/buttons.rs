@@ -12,10 +12,10 @@ pub(crate) enum Button {
     Next,
 }
 
-/// Driver of buttons that connect their pins to ground.
+/// Driver for buttons that connect their pins to ground when they are pressed.
 pub(crate) struct Buttons<P> {
     buttons: [(Button, P); 5],
-    /// Pressed button at the last poll.
+    /// Button that was pressed at the last poll.
     previous: Option<Button>,
 }
 

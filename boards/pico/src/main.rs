@@ -12,7 +12,7 @@ mod pins;
 mod scenes;
 mod usb;
 
-// Logger and panic handler.
+// These crates provide the logger and the panic handler.
 use {defmt_rtt as _, panic_probe as _};
 
 use defmt::Display2Format;
@@ -34,9 +34,9 @@ const ORBIT_STEP: Real = Real::lit("15");
 fn main() -> ! {
     // The scenes in flash, and the last scene that arrived over USB.
     static mut SCENES: Scenes = Scenes::new();
-    // The scene that is being received.
+    // Memory for the scene that is being received over USB.
     static mut RECEIVER: SceneReceiver = SceneReceiver::new();
-    // The scene that is drawn.
+    // Memory for the prepared scene that is drawn.
     static mut BUFFER: Buffer = Buffer::new();
     // Memory to validate a received scene.
     static mut VALIDATION_BUFFER: Buffer = Buffer::new();
@@ -58,7 +58,7 @@ fn main() -> ! {
     }
 }
 
-/// Shows a scene and moves the camera, until another scene is selected.
+/// Shows a scene and lets the user move the camera. Returns when another scene is selected.
 fn show_scene(scene: &mut PreparedScene<'_>, board: &mut Board) -> Event {
     loop {
         let event = draw(scene, board).unwrap_or_else(|| board.wait());
@@ -75,7 +75,7 @@ fn show_scene(scene: &mut PreparedScene<'_>, board: &mut Board) -> Event {
     }
 }
 
-/// Draws a picture in progressive order. Stops and returns the event on user input.
+/// Draws a picture in progressive order. On user input, stops and returns the event.
 fn draw(scene: &PreparedScene<'_>, board: &mut Board) -> Option<Event> {
     let mut renderer = Renderer::new(scene, board.display.size());
     let mut progress = RenderProgress::progressive(board.display.bounding_box());
@@ -89,7 +89,7 @@ fn draw(scene: &PreparedScene<'_>, board: &mut Board) -> Option<Event> {
     event
 }
 
-/// Shows why a scene cannot be drawn, until another scene is selected.
+/// Shows the reason why a scene cannot be drawn. Returns when another scene is selected.
 fn show_error(error: DecodeError, board: &mut Board) -> Event {
     defmt::error!("invalid scene: {}", Display2Format(&error));
     let text = format_args!("This scene cannot be drawn: {error}.");

@@ -1,7 +1,7 @@
 //! Pins and display settings: all hardware configuration of the board.
 //!
 //! The values are for the Waveshare Pico-LCD-1.3 hat. README.md lists the pins in a table.
-//! Another ST7789 display and other buttons to ground work with changed values.
+//! For another ST7789 display or other buttons to ground, change these values.
 
 use mipidsi::options::{ColorInversion, Orientation, Rotation};
 use rp2040_hal::pac;
@@ -12,13 +12,14 @@ pub(crate) const LCD_SIZE: (u16, u16) = (240, 240);
 pub(crate) const LCD_ORIENTATION: Orientation = Orientation::new().rotate(Rotation::Deg90);
 /// IPS panels need inverted colors.
 pub(crate) const LCD_INVERSION: ColorInversion = ColorInversion::Inverted;
-/// SPI clock. The controller allows up to 62.5 MHz. Use half of this value for long wires.
+/// SPI clock of the display: 31.25 MHz. The ST7789 allows up to 62.5 MHz. Long wires need a
+/// slower clock, for example 15.625 MHz.
 pub(crate) const LCD_HZ: u32 = 31_250_000;
 
-/// SPI peripheral of the clock and data pins.
+/// SPI peripheral that the clock and data pins of the display belong to.
 pub(crate) type LcdSpi = pac::SPI1;
 
-/// Selects the [`LcdSpi`] peripheral from the peripherals of the chip.
+/// Takes the [`LcdSpi`] peripheral out of `$peripherals`, the peripherals of the chip.
 macro_rules! lcd_spi {
     ($peripherals:expr) => {
         $peripherals.SPI1

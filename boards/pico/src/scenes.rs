@@ -5,16 +5,17 @@ use whitted::scene::SceneCounts;
 
 use crate::usb;
 
-// Defines `SCENES`, the compiled scenes, and `COUNTS`, the capacity that fits each of them.
+// The included file defines `SCENES`, the compiled scenes, and `COUNTS`, the capacity that
+// fits each of these scenes.
 include!(concat!(env!("OUT_DIR"), "/scenes.rs"));
 
-/// Capacity for scenes received over USB.
+/// Largest number of objects, lights and materials in a scene received over USB.
 const RECEIVED_COUNTS: SceneCounts = SceneCounts::EMPTY.objects(64).lights(8).materials(64);
 
-/// Capacity for any scene.
+/// Capacity that fits every scene, whether it is in flash or received over USB.
 const CAPACITY: SceneCounts = COUNTS.max(RECEIVED_COUNTS);
 
-/// Memory for any scene.
+/// Memory for a prepared scene, which may come from flash or over USB.
 pub(crate) type Buffer = whitted::scene_buffer!(CAPACITY);
 
 /// List of the scenes in flash, followed by the last scene received over USB.
@@ -30,23 +31,25 @@ impl Scenes {
         }
     }
 
-    /// Returns a compiled scene. Indices past the flash select the received scene.
+    /// Returns a compiled scene. Indices after the scenes in flash select the scene that
+    /// was received over USB.
     pub(crate) fn get(&self, index: usize) -> &[u8] {
         SCENES.get(index).copied().unwrap_or(&self.received)
     }
 
-    /// Returns the number of scenes.
+    /// Returns the number of scenes, including the received scene if there is one.
     pub(crate) fn count(&self) -> usize {
         SCENES.len() + usize::from(!self.received.is_empty())
     }
 
-    /// Stores the scene in the USB receiver and returns its index.
+    /// Moves the scene from the USB receiver to the end of the list and returns its index.
     ///
-    /// The scene replaces the previous received scene, so no prepared scene may borrow it.
+    /// The new scene overwrites the previously received scene. No prepared scene may borrow
+    /// the overwritten scene.
     pub(crate) fn store_received(&mut self) -> usize {
         usb::take(|scene| {
             self.received.clear();
-            // The capacity equals that of the receiver, so the scene always fits.
+            // `received` has the capacity of the USB receiver, so the scene always fits.
             _ = self.received.extend_from_slice(scene);
         });
         SCENES.len()

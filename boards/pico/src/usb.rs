@@ -1,7 +1,8 @@
-//! Receives scenes over USB, as a serial port (CDC ACM).
+//! Receives scenes over USB. The host sees the board as a serial port (CDC ACM).
 //!
-//! Tracing a line may exceed the USB timeouts of the host, so an interrupt handler serves
-//! the connection. The main loop processes received scenes between lines.
+//! Tracing a line may take longer than the USB timeouts of the host, so an interrupt
+//! handler serves the USB connection. The main loop processes received scenes between
+//! lines.
 
 use core::cell::RefCell;
 use core::fmt::{self, Write};
@@ -18,19 +19,19 @@ use usb_device::device::{StringDescriptors, UsbDevice, UsbDeviceBuilder, UsbVidP
 use usbd_serial::{SerialPort, USB_CLASS_CDC};
 use whitted::DecodeError;
 
-/// Receiver capacity in bytes: scene, ticket and checksum.
+/// Capacity of the receiver in bytes, for a scene with its ticket and checksum.
 pub(crate) const CAPACITY: usize = 16 * 1024;
 
-/// A transfer is aborted after this time without data.
+/// Time without data after which a transfer is aborted.
 const TIMEOUT: MicrosDurationU64 = MicrosDurationU64::secs(1);
 
-/// Shared USB vendor and product ID for CDC ACM serial ports.
+/// USB vendor and product ID that CDC ACM serial ports may share.
 const VENDOR_PRODUCT: UsbVidPid = UsbVidPid(0x16C0, 0x27DD);
 
-/// Connection state, shared by the interrupt handler and the main loop.
+/// State of the USB connection. The interrupt handler and the main loop share it.
 static LINK: Mutex<RefCell<Option<Link>>> = Mutex::new(RefCell::new(None));
 
-/// USB serial connection and the receiver of its scenes.
+/// USB serial connection, with the receiver that decodes the incoming scenes.
 struct Link {
     device: UsbDevice<'static, UsbBus>,
     port: Port,
@@ -40,10 +41,10 @@ struct Link {
     last_received: Instant,
 }
 
-/// Receiver of the scene protocol.
+/// Receiver that decodes scenes sent over USB.
 pub(crate) type SceneReceiver = Receiver<CAPACITY>;
 
-/// Serial port; the transmit buffer of 256 bytes fits the longest answer.
+/// USB serial port. Its transmit buffer of 256 bytes fits the longest answer.
 type Port = SerialPort<'static, UsbBus, [u8; 128], [u8; 256]>;
 
 /// Starts the USB device. Must be called only once.
@@ -95,9 +96,9 @@ pub(crate) fn take(store: impl FnOnce(&[u8])) {
     });
 }
 
-/// Runs a function on the connection with interrupts disabled.
+/// Calls `act` with the USB connection while interrupts are disabled.
 ///
-/// Returns `None` before [`start`].
+/// Returns `None` if [`start`] has not been called.
 fn with_link<R>(act: impl FnOnce(&mut Link) -> R) -> Option<R> {
     critical_section::with(|cs| LINK.borrow_ref_mut(cs).as_mut().map(act))
 }
@@ -119,7 +120,8 @@ impl Link {
         }
     }
 
-    /// Checks and answers a complete message, or aborts a stalled transfer.
+    /// Checks a complete message with `check` and sends the answer, or aborts a stalled
+    /// transfer. Returns true if the message has a valid scene.
     fn process(&mut self, check: impl FnOnce(&[u8]) -> Result<(), DecodeError>) -> bool {
         let Some(Message { ticket, scene }) = self.receiver.message() else {
             let silence = self.timer.get_counter() - self.last_received;
@@ -141,13 +143,14 @@ impl Link {
         checked.is_ok()
     }
 
-    /// Sends an answer. Text that exceeds the transmit buffer is lost if the host does not read.
+    /// Sends an answer to the host. If the host does not read, text that exceeds the
+    /// transmit buffer is lost.
     fn answer(&mut self, answer: Answer<impl fmt::Display>) {
         _ = writeln!(TextOutput(&mut self.port), "{answer}");
     }
 }
 
-/// Text output to the serial port.
+/// Writes text to the USB serial port.
 struct TextOutput<'p>(&'p mut Port);
 
 impl Write for TextOutput<'_> {

@@ -13,24 +13,24 @@ use rp235x_hal::fugit::{ExtU32, RateExtU32};
 use rp235x_hal::gpio::{FunctionSpi, Pins};
 use rp235x_hal::{Clock, Sio, Spi, Timer, Watchdog, pac};
 
-/// Image definition block: the boot ROM only starts programs that contain one.
+/// Image definition block. The boot ROM only starts programs that contain such a block.
 #[unsafe(link_section = ".start_block")]
 #[used]
 static IMAGE_DEF: ImageDef = ImageDef::secure_exe();
 
-/// Frequency of the crystal.
+/// Frequency of the crystal on the board.
 const CRYSTAL_HZ: u32 = 12_000_000;
 
-/// Display and watchdog, ready to use.
+/// The initialized display and watchdog of the board.
 pub(crate) struct Board<D> {
     pub(crate) display: D,
-    /// Resets the chip if it is not fed for four seconds.
+    /// Resets the chip if the firmware does not feed the watchdog for four seconds.
     pub(crate) watchdog: Watchdog,
 }
 
-/// Initializes the board; `line` is the transfer buffer of the display driver.
+/// Initializes the board. The display driver uses `line` as its transfer buffer.
 ///
-/// Must be called only once.
+/// This function must be called only once.
 pub(crate) fn init(
     line: &'static mut [u8],
 ) -> Board<impl DrawTarget<Color = Rgb565> + OriginDimensions> {
@@ -49,7 +49,7 @@ pub(crate) fn init(
     };
     let mut delay = Timer::new_timer0(chip.TIMER0, &mut chip.RESETS, &clocks);
 
-    // Wiring of the common Pico LCD hats.
+    // These pins match the wiring of common Pico LCD hats.
     let bank = Sio::new(chip.SIO).gpio_bank0;
     let pins = Pins::new(chip.IO_BANK0, chip.PADS_BANK0, bank, &mut chip.RESETS);
     let data_or_command = pins.gpio8.into_push_pull_output();

@@ -16,16 +16,16 @@ use stm32f4xx_hal::rcc::Config;
 use stm32f4xx_hal::spi::Spi;
 use stm32f4xx_hal::watchdog::IndependentWatchdog;
 
-/// Display and watchdog, ready to use.
+/// The initialized display and watchdog of the board.
 pub(crate) struct Board<D> {
     pub(crate) display: D,
-    /// Resets the chip if it is not fed for four seconds.
+    /// Resets the chip if the firmware does not feed the watchdog for four seconds.
     pub(crate) watchdog: IndependentWatchdog,
 }
 
-/// Initializes the board; `line` is the transfer buffer of the display driver.
+/// Initializes the board. The display driver uses `line` as its transfer buffer.
 ///
-/// Must be called only once.
+/// This function must be called only once.
 pub(crate) fn init(
     line: &'static mut [u8],
 ) -> Board<impl DrawTarget<Color = Rgb565, Error: defmt::Format> + OriginDimensions> {
@@ -35,7 +35,7 @@ pub(crate) fn init(
     let mut rcc = chip.RCC.freeze(clock());
     let mut delay = core.SYST.delay(&rcc.clocks);
 
-    // Wiring.
+    // Pins that the display is wired to.
     let port_a = chip.GPIOA.split(&mut rcc);
     let port_b = chip.GPIOB.split(&mut rcc);
     let clock = port_a.pa5.into_alternate().speed(Speed::High);
@@ -44,7 +44,7 @@ pub(crate) fn init(
     let select = port_b.pb8.into_push_pull_output();
     let reset = port_b.pb9.into_push_pull_output();
 
-    // 84 MHz / 4 = 21 MHz.
+    // The SPI clock is 84 MHz / 4 = 21 MHz.
     let frequency = rcc.clocks.pclk2() / 4;
     let pins = (Some(clock), SPI1::NoMiso, Some(output));
     let spi = Spi::new(chip.SPI1, pins, MODE_0, frequency, &mut rcc);
@@ -63,15 +63,15 @@ pub(crate) fn init(
         Err(error) => defmt::panic!("display initialization failed: {}", error),
     };
 
-    // A line takes a few milliseconds.
+    // Drawing a line takes a few milliseconds, much less than the timeout.
     let mut watchdog = IndependentWatchdog::new(chip.IWDG);
     watchdog.start(4.secs());
     Board { display, watchdog }
 }
 
-/// Keeps the picture on the display: feeds the watchdog forever.
+/// Feeds the watchdog forever, so that the picture stays on the display.
 ///
-/// With the feature `emulator`, exits the emulator instead.
+/// With the feature `emulator`, this function exits the emulator instead.
 pub(crate) fn finish(mut watchdog: IndependentWatchdog) -> ! {
     #[cfg(feature = "emulator")]
     cortex_m_semihosting::debug::exit(cortex_m_semihosting::debug::EXIT_SUCCESS);
@@ -80,13 +80,15 @@ pub(crate) fn finish(mut watchdog: IndependentWatchdog) -> ! {
     }
 }
 
-/// Returns the clock configuration: 168 MHz from the crystal of 12 MHz.
+/// Returns the clock configuration. The core runs at 168 MHz, derived from the 12 MHz
+/// crystal.
 #[cfg(not(feature = "emulator"))]
 fn clock() -> Config {
     Config::hse(12.MHz()).sysclk(168.MHz())
 }
 
-/// Returns the clock configuration: the internal oscillator, as QEMU has no crystal.
+/// Returns the clock configuration for QEMU, which has no crystal. The core runs from the
+/// internal oscillator.
 #[cfg(feature = "emulator")]
 fn clock() -> Config {
     Config::hsi()

@@ -2,14 +2,14 @@
 
 use embedded_graphics_core::geometry::{Point, Size};
 
-/// Scan order of the memory: the upper three bits of MADCTL.
+/// Scan order of the memory, from the upper three bits of the MADCTL register.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct AddressOrder {
-    /// MV bit: address columns are memory rows.
+    /// MV bit of MADCTL: true if address columns are memory rows.
     axes_swapped: bool,
-    /// MX bit: memory columns run from right to left.
+    /// MX bit of MADCTL: true if memory columns run from right to left.
     columns_reversed: bool,
-    /// MY bit: memory rows run from bottom to top.
+    /// MY bit of MADCTL: true if memory rows run from bottom to top.
     rows_reversed: bool,
 }
 
@@ -23,7 +23,7 @@ impl AddressOrder {
         }
     }
 
-    /// Returns the number of address columns and rows for a memory of this size.
+    /// Returns the number of address columns and rows for a memory of size `memory`.
     pub(crate) const fn extent(self, memory: Size) -> Size {
         if self.axes_swapped {
             Size::new(memory.height, memory.width)
@@ -32,7 +32,7 @@ impl AddressOrder {
         }
     }
 
-    /// Converts the address (column, row) to a position in a memory of this size.
+    /// Converts the address `at` (column, row) to a position in a memory of size `memory`.
     pub(crate) const fn to_memory(self, at: Point, memory: Size) -> Point {
         let Point { x, y } = if self.axes_swapped {
             Point::new(at.y, at.x)
@@ -60,7 +60,8 @@ mod tests {
         })
     }
 
-    /// The expected values are the table "Display data direction" of the ST7789 data sheet.
+    /// The expected values are from the table "Display data direction" of the ST7789 data
+    /// sheet.
     #[test]
     fn matches_the_data_sheet_for_all_eight_orders() {
         assert_eq!(first_two_positions(0x00), [(0, 0), (1, 0)]);

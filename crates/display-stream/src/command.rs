@@ -20,7 +20,7 @@ pub(crate) const IDMOFF: u8 = 0x38;
 pub(crate) const COLMOD: u8 = 0x3A;
 pub(crate) const RAMWRC: u8 = 0x3C;
 pub(crate) const STE: u8 = 0x44;
-// Brightness and backlight control. The model accepts and ignores them.
+// Commands for brightness and backlight. The model accepts and ignores these commands.
 pub(crate) const WRDISBV: u8 = 0x51;
 pub(crate) const WRCTRLD: u8 = 0x53;
 pub(crate) const WRCACE: u8 = 0x55;

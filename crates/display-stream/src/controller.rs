@@ -6,20 +6,20 @@ use crate::panel::Panel;
 use crate::picture::Picture;
 use crate::pixel;
 
-/// COLMOD after reset: 18 bits per pixel, on both controllers.
+/// Value of COLMOD after reset, for the ST7789 and the ILI9341: 18 bits per pixel.
 const COLMOD_AT_RESET: u8 = 0x66;
 
 /// A byte on the SPI bus, tagged with the level of the D/C pin.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Byte {
-    /// Command opcode: D/C is low.
+    /// Command opcode, sent while D/C is low.
     Command(u8),
-    /// Parameter or half of a 16-bit pixel: D/C is high.
+    /// Parameter or half of a 16-bit pixel, sent while D/C is high.
     Data(u8),
 }
 
 impl Byte {
-    /// Creates a byte; `is_data` is the level of D/C.
+    /// Creates a byte. `is_data` is true if the D/C pin is high.
     pub fn new(is_data: bool, byte: u8) -> Self {
         if is_data {
             Self::Data(byte)
@@ -31,25 +31,26 @@ impl Byte {
 
 /// Model of a display controller that executes SPI traffic byte by byte.
 ///
-/// A byte that causes an error changes nothing that is visible. The next byte may
-/// follow.
+/// A byte that causes an error does not change the picture. The controller then accepts the
+/// next byte.
 #[derive(Clone, Debug)]
 pub struct Controller {
     panel: Panel,
     memory: Memory,
     state: State,
-    /// The command that data bytes belong to.
+    /// Command that received data bytes belong to.
     command: Option<u8>,
     /// Parameters of `command` received so far, or the first byte of a pixel.
     received: Vec<u8>,
 }
 
-/// Registers that commands set and SWRESET resets.
+/// Registers that commands set. The command SWRESET resets them.
 #[derive(Clone, Debug)]
 struct State {
     columns: Range,
     rows: Range,
-    /// Position of the next pixel; `None` until RAMWR starts a write in this window.
+    /// Position of the next pixel. `None` until the command RAMWR starts a write in the
+    /// window.
     cursor: Option<Cursor>,
     madctl: u8,
     colmod: u8,
@@ -85,7 +86,7 @@ impl Controller {
         }
     }
 
-    /// Executes bytes up to the first error.
+    /// Executes bytes until one causes an error.
     ///
     /// # Errors
     /// Returns the error of the first invalid byte.
@@ -111,7 +112,7 @@ impl Controller {
     /// Returns the picture that the panel shows now.
     ///
     /// # Errors
-    /// Returns the reason if the panel shows no picture.
+    /// Returns the reason why the panel shows no picture.
     pub fn picture(&self) -> Result<Picture, BlankError> {
         let panel = &self.panel;
         if self.state.is_asleep {
@@ -214,8 +215,8 @@ impl Controller {
 
     fn receive_pixel_byte(&mut self, data: u8) -> Result<(), StreamError> {
         let State { colmod, madctl, .. } = self.state;
-        // Bits 0 to 2 select the format of the SPI interface: 5 is 16 bits per pixel.
-        // Bits 4 to 6 are for the parallel RGB interface.
+        // Bits 0 to 2 of COLMOD select the pixel format of the SPI interface; 5 means 16
+        // bits per pixel. Bits 4 to 6 are for the parallel RGB interface.
         if colmod & 7 != 5 {
             return Err(StreamError::PixelFormat { colmod });
         }

@@ -3,7 +3,7 @@ use core::fmt;
 
 use embedded_graphics_core::geometry::{Point, Size};
 
-/// An error in the SPI traffic: bytes that a correct driver does not send.
+/// Error in the SPI traffic, caused by bytes that a correct driver does not send.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum StreamError {
@@ -12,7 +12,7 @@ pub enum StreamError {
         /// The data byte.
         data: u8,
     },
-    /// The model does not implement this command.
+    /// The model does not implement the received command.
     NotModeled {
         /// The opcode.
         command: u8,
@@ -26,7 +26,7 @@ pub enum StreamError {
         /// Number of parameter bytes that the command takes.
         expected: usize,
     },
-    /// A window command has its last address before its first.
+    /// The last address of a window command is before its first address.
     Reversed {
         /// Opcode of the command: CASET or RASET.
         command: u8,

@@ -6,7 +6,7 @@ use embedded_graphics_core::primitives::Rectangle;
 use crate::address::AddressOrder;
 use crate::error::StreamError;
 
-/// Range of columns or rows; both ends are included.
+/// Range of columns or rows. Both ends are included.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Range {
     pub(crate) first: u16,
@@ -24,7 +24,7 @@ impl Range {
 
 /// Address of the next pixel in a window.
 ///
-/// The cursor moves line by line and returns from the last pixel to the first.
+/// The cursor moves line by line. After the last pixel it returns to the first pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Cursor {
     columns: Range,
@@ -44,7 +44,7 @@ impl Cursor {
         }
     }
 
-    /// Returns the current address and moves to the next pixel.
+    /// Returns the address of the current pixel and moves the cursor to the next pixel.
     fn advance(&mut self) -> Point {
         let at = Point::new(self.column.into(), self.row.into());
         if self.column < self.columns.last {
@@ -64,7 +64,7 @@ impl Cursor {
 #[derive(Clone, Debug)]
 pub(crate) struct Memory {
     size: Size,
-    /// Row-major pixels; `None` if not written since power-on.
+    /// Pixels, row by row. A pixel is `None` if it was not written since power-on.
     pixels: Vec<Option<u16>>,
 }
 

@@ -3,7 +3,7 @@ use embedded_graphics_core::primitives::Rectangle;
 
 use crate::address::AddressOrder;
 
-/// Memory size of both the ST7789 and the ILI9341.
+/// Columns and rows in the memory of both the ST7789 and the ILI9341.
 const MEMORY: Size = Size::new(240, 320);
 
 /// Geometry and color order of a display panel and its controller.
@@ -15,10 +15,10 @@ pub struct Panel {
     pub glass: Rectangle,
     /// MADCTL value that matches the construction and mounting of the panel.
     ///
-    /// If the driver sets this MADCTL value, lines run from left to right and from top
-    /// to bottom, and red and blue are not swapped.
+    /// If the driver sets this MADCTL value, pixels run from left to right, lines run from
+    /// top to bottom, and red and blue are not swapped.
     pub madctl: u8,
-    /// True if the panel needs INVON to show colors as they are sent.
+    /// True if the panel shows colors as they are sent only after the command INVON.
     pub is_inverted: bool,
 }
 

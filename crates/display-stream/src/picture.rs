@@ -7,8 +7,8 @@ use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
 
 /// Picture on a display, stored line by line from the top left.
 ///
-/// A picture is also a [`DrawTarget`]. Drawing code that runs on both a picture and a
-/// display gives the expected picture to compare with.
+/// A picture is also a [`DrawTarget`]. Tests run the same drawing code on a picture and on
+/// a display, and compare the results.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Picture {
     size: Size,
@@ -21,7 +21,7 @@ impl Picture {
         Self::from_fn(size, |_| Rgb565::BLACK)
     }
 
-    /// Creates a picture from the color at each point.
+    /// Creates a picture. The function `color` returns the color at each point.
     pub(crate) fn from_fn(size: Size, color: impl FnMut(Point) -> Rgb565) -> Self {
         let line = |y| (0..size.width).map(move |x| Point::new(x as i32, y as i32));
         Self {
@@ -35,12 +35,13 @@ impl Picture {
         &self.pixels
     }
 
-    /// Returns the pixel at `at`; `None` outside the picture.
+    /// Returns the pixel at `at`, or `None` if `at` is outside the picture.
     pub fn pixel(&self, at: Point) -> Option<Rgb565> {
         self.pixels.get(self.index(at)?).copied()
     }
 
-    /// Returns the first pixel that differs from a picture of equal size.
+    /// Returns the position of the first pixel that differs from `other`, a picture of
+    /// equal size.
     pub fn first_difference(&self, other: &Self) -> Option<Point> {
         let mut pairs = self.pixels.iter().zip(&other.pixels);
         let index = pairs.position(|(own, other)| own != other)? as u32;

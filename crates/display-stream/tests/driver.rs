@@ -59,8 +59,8 @@ impl DelayNs for NoDelay {
     fn delay_ns(&mut self, _: u32) {}
 }
 
-/// Draws a picture without symmetry: solid fills, single pixels, and a contiguous area
-/// that exceeds the display.
+/// Draws a picture without symmetry. It has solid fills, single pixels, and a contiguous
+/// area that exceeds the display.
 fn draw_test_picture<D: DrawTarget<Color = Rgb565, Error: core::fmt::Debug>>(display: &mut D) {
     display.clear(Rgb565::CSS_DARK_SLATE_GRAY).unwrap();
     let (red, blue) = (
@@ -124,7 +124,8 @@ fn shows_an_ili9341_in_landscape() {
     assert_shows_test_picture(Panel::ILI9341_320X240, build, ILI9341Rgb565);
 }
 
-/// The glass covers a part of the memory, so each orientation has its own offset.
+/// The glass of the panel covers only a part of the memory, so each orientation of the
+/// picture has its own offset in the memory.
 #[test]
 fn shows_every_orientation() {
     let unrotated = Orientation::new();

@@ -24,7 +24,7 @@ fn window(columns: [u8; 2], rows: [u8; 2]) -> Vec<Byte> {
     [caset, command(0x2B, &[0, rows[0], 0, rows[1]])].concat()
 }
 
-/// A RAMWR or RAMWRC command with pixel data.
+/// Returns a RAMWR or RAMWRC command with pixel data.
 fn pixels(ram: u8, pixels: &[u16]) -> Vec<Byte> {
     let bytes: Vec<u8> = pixels
         .iter()
@@ -33,7 +33,7 @@ fn pixels(ram: u8, pixels: &[u16]) -> Vec<Byte> {
     command(ram, &bytes)
 }
 
-/// A controller after SLPOUT and DISPON, with 16 bits per pixel and a black memory.
+/// Returns a controller after SLPOUT and DISPON, with 16 bits per pixel and a black memory.
 fn started(panel: Panel) -> Controller {
     let mut controller = Controller::new(panel);
     let black = vec![0; (panel.memory.width * panel.memory.height) as usize];
@@ -90,7 +90,7 @@ fn ramwr_restarts_at_the_first_pixel_of_the_window() {
 fn ramwrc_continues_after_other_commands() {
     let mut controller = started(SMALL);
     controller.receive_all(pixels(0x2C, &[1])).unwrap();
-    // NOP, then a manufacturer command whose parameters must not become pixels.
+    // Send NOP, then a manufacturer command. Its parameters must not become pixels.
     controller.receive_all(command(0x00, &[])).unwrap();
     controller
         .receive_all(command(0xB2, &[0xC, 0xC, 0, 0x33, 0x33]))
@@ -131,7 +131,8 @@ fn shows_only_the_memory_behind_the_glass() {
 fn orientation_applies_to_pixels_written_later() {
     let mut controller = started(SMALL);
     controller.receive_all(command(0x36, &[0x60])).unwrap();
-    // Three columns and four rows; the first line is the right edge of the panel.
+    // The window has three columns and four rows. Its first line is the right edge of the
+    // panel.
     controller.receive_all(window([0, 2], [0, 3])).unwrap();
     controller.receive_all(pixels(0x2C, &[1, 2, 3, 4])).unwrap();
     assert_shows(&controller, &[0, 0, 4, 1, 0, 0, 0, 2, 0, 0, 0, 3]);
@@ -233,7 +234,7 @@ fn reports_invalid_streams() {
     let (last, memory) = (Point::new(3, 3), Size::new(4, 3));
     assert_eq!(error, StreamError::OutsideOfMemory { last, memory });
 
-    // Column 3 is inside a memory of 4x3 pixels, but outside with swapped axes.
+    // Column 3 is inside a memory of 4x3 pixels, but outside if the axes are swapped.
     let landscape = [command(0x36, &[0x20]), pixels(0x2C, &[1])].concat();
     let (last, memory) = (Point::new(3, 2), Size::new(3, 4));
     assert_eq!(
@@ -248,7 +249,8 @@ fn reports_invalid_streams() {
 #[test]
 fn random_streams_do_not_panic() {
     let mut random = fastrand::Rng::with_seed(1);
-    // Known commands, so that random streams reach most states.
+    // The random streams contain known commands, so that they reach most states of the
+    // controller.
     let known = [
         0x01, 0x11, 0x20, 0x21, 0x29, 0x2A, 0x2B, 0x2C, 0x36, 0x3A, 0x3C,
     ];

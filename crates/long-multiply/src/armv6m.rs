@@ -1,13 +1,13 @@
 //! Implementation in assembly for Armv6-M.
 //!
-//! Full products are computed from 16-bit halves:
+//! A full product of `a` and `b` is computed from the 16-bit halves of the factors, where
+//! `ah` is the upper and `al` the lower half of `a`:
 //! `a * b = ah * bh * 2^32 + (al * bh + ah * bl) * 2^16 + al * bl`.
-//! The upper halves `ah` and `bh` are signed if the factor is signed. Each product of
-//! halves fits 32 bits.
+//! The upper half of a signed factor is signed. Each product of two halves fits 32 bits.
 //!
-//! Squares are inlined. The other products are calls with a custom convention that
-//! changes only the registers named at the call. A call takes two instructions more than
-//! inlined code, and much less flash.
+//! Squares are inlined. The other assembly routines are functions with a custom calling
+//! convention: a function changes only the registers that are named at the call. A call
+//! takes two instructions more than inlined code, but much less flash.
 
 use core::arch::{asm, naked_asm};
 
@@ -43,7 +43,7 @@ macro_rules! routine {
     };
 }
 
-/// Calls a product routine and returns the lower and the upper word.
+/// Calls a product routine and returns the lower and the upper word of the product.
 macro_rules! call {
     ($routine:ident, $a:ident, $b:ident) => {{
         let (low, high);
@@ -89,11 +89,13 @@ pub(crate) fn mixed(a: i32, b: u32) -> i64 {
     i64::from(high) << 32 | i64::from(low)
 }
 
-/// Defines the assembler macro `multiply x`: `x = x * b / 2^(32 - up)`, rounded half up.
+/// Defines the assembler macro `multiply x`, which sets a register `x` to
+/// `x * b / 2^(32 - up)`, rounded half up.
 ///
-/// The lower half of `b` is in r4, the upper half is in r3, and r7 is 0. Both halves of a
-/// number are signed, so `al * bl / 2^16 + al * bh + ah * bl` fits 32 bits. Each right
-/// shift leaves the rounding bit in the carry flag.
+/// The 16-bit halves of `b` are in r4 (`bl`, the lower half) and r3 (`bh`, the upper half),
+/// and r7 is 0. The halves of `x` are `al` and `ah`. All halves are signed, so the sum
+/// `al * bl / 2^16 + al * bh + ah * bl` fits 32 bits. Each right shift leaves the rounding
+/// bit in the carry flag.
 macro_rules! define_multiply {
     () => {
         r"
@@ -119,7 +121,8 @@ macro_rules! define_multiply {
     };
 }
 
-/// Splits r3 into signed halves r4 and r3 and clears r7, as `multiply` expects.
+/// Splits r3 into signed 16-bit halves, the lower in r4 and the upper in r3, and clears r7.
+/// The macro `multiply` expects its factor in this form.
 macro_rules! split {
     () => {
         "
@@ -164,7 +167,8 @@ extern "C" fn scale<const UP: u32>() {
 
 /// Multiplies each of r0, r1 and r2 by `r3 + 2^32` and divides by 2^32, rounded half up.
 ///
-/// The routine multiplies by the signed value in r3, then adds the original register.
+/// The routine multiplies each register by the signed value in r3, then adds the original
+/// value of the register.
 #[unsafe(naked)]
 extern "C" fn reduce() {
     naked_asm!(
@@ -187,7 +191,7 @@ extern "C" fn reduce() {
     )
 }
 
-/// Calls a vector routine: components in r0 to r2, factor in r3.
+/// Calls a vector routine, which takes the components in r0 to r2 and the factor in r3.
 macro_rules! call_vector {
     ($routine:path, $v:ident, $by:expr) => {{
         let [mut x, mut y, mut z] = $v;
@@ -305,8 +309,8 @@ pub(crate) fn square(a: i32) -> i64 {
     i64::from(high) << 32 | i64::from(low)
 }
 
-/// Counts the leading zeros of r0: finds the highest nonzero byte, then reads a table of
-/// 256 entries.
+/// Counts the leading zeros of r0. The routine finds the highest nonzero byte and looks it
+/// up in a table of 256 entries.
 #[unsafe(naked)]
 extern "C" fn count_leading_zeros() {
     naked_asm!(

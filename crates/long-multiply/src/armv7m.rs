@@ -1,8 +1,8 @@
 //! Rounding shift for Armv7-M and Armv8-M mainline.
 //!
-//! A right shift leaves the last bit that it shifts out in the carry flag. Adding the
-//! carry rounds half up, in 2 instructions. The compiler adds half a unit to the 64-bit
-//! value first and needs 4.
+//! A right shift leaves the last bit that it shifts out in the carry flag. Adding the carry
+//! flag to the shifted value rounds half up, so shift and rounding take 2 instructions.
+//! Compiled code takes 4, because it adds half a unit to the 64-bit value first.
 
 use core::arch::asm;
 

@@ -1,8 +1,8 @@
 //! 32x32-bit multiplication for fixed-point arithmetic on microcontrollers.
 //!
 //! Armv6-M (Cortex-M0 and M0+) has no instruction for a 64-bit product: `muls` returns
-//! the lower 32 bits. The compiler calls a 64x64-bit routine of 38 instructions. The
-//! assembly of this crate takes:
+//! the lower 32 bits. For a 64-bit product, compiled code calls a 64x64-bit routine of
+//! 38 instructions. The assembly of this crate takes fewer instructions:
 //!
 //! | operation on Armv6-M | instructions | compiler |
 //! |---|--:|--:|
@@ -12,9 +12,9 @@
 //! | leading zeros | 6 to 11 | about 35 |
 //! | rounding shift of an `i64` to 32 bits | 3 | 6 |
 //!
-//! On Armv7-M and Armv8-M mainline only the rounding shift is assembly: 2 instructions
-//! instead of 4. All other operations, and all operations on other targets, are plain
-//! Rust. Every implementation returns the same bits.
+//! On Armv7-M and Armv8-M mainline, only the rounding shift is assembly, of 2
+//! instructions instead of 4. The other operations on these targets, and all operations
+//! on any other target, are plain Rust. All implementations return the same bits.
 //!
 //! In the function descriptions, "rounded down" is toward negative infinity and "rounded
 //! half up" is `floor(x + 1/2)`.
@@ -38,7 +38,7 @@ mod plain;
 #[cfg(not(armv6m))]
 use plain as words;
 
-/// True if a full product is a function call (Armv6-M).
+/// True if a full product is a function call, which is the case on Armv6-M.
 ///
 /// On Armv6-M, a comparison that avoids an unneeded product can be cheaper than the product.
 pub const IS_CALL: bool = cfg!(armv6m);
@@ -79,8 +79,8 @@ pub fn upper(a: i32, b: i32) -> i32 {
     words::upper(a, b)
 }
 
-/// Returns the lower 32 bits of `v[i] * by / 2^SHIFT`, rounded half up, for each
-/// component.
+/// Returns the lower 32 bits of `v[i] * by / 2^SHIFT`, rounded half up, for each component
+/// `v[i]`.
 ///
 /// `SHIFT` must be 29 or 30; other values do not compile.
 #[inline(always)]
@@ -89,7 +89,8 @@ pub fn scaled<const SHIFT: u32>(v: [i32; 3], by: i32) -> [i32; 3] {
     words::scaled::<SHIFT>(v, by)
 }
 
-/// Returns `v[i] * by / 2^32`, rounded half up, for each component and `by >= 2^31`.
+/// Returns `v[i] * by / 2^32`, rounded half up, for each component `v[i]`. Requires
+/// `by >= 2^31`.
 #[inline(always)]
 pub fn reduced(v: [i32; 3], by: u32) -> [i32; 3] {
     words::reduced(v, by)

@@ -32,8 +32,9 @@ pub(crate) fn scaled<const SHIFT: u32>(v: [i32; 3], by: i32) -> [i32; 3] {
 
 #[inline(always)]
 pub(crate) fn reduced(v: [i32; 3], by: u32) -> [i32; 3] {
-    // `by - 2^32` fits an i32, so the product is a signed 32x32-bit multiplication.
-    // Adding the component corrects the result.
+    // `by` is at least 2^31, so `by - 2^32` fits an i32 and the product with the component
+    // `c` is a signed 32x32-bit product. Adding `c` to the quotient corrects for the
+    // missing 2^32.
     v.map(|c| c.wrapping_add(((signed(c, by as i32) + (1 << 31)) >> 32) as i32))
 }
 

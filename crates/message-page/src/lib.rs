@@ -45,7 +45,8 @@ where
     D: DrawTarget + OriginDimensions,
     D::Color: From<BinaryColor>,
 {
-    /// Writes a word, on a new line if the current line is too short.
+    /// Writes a word. The word starts a new line if the current line has no space left for
+    /// it.
     fn word(&mut self, word: &str) -> Result<(), D::Error> {
         let Size { width, height } = self.font.character_size;
         let white = BinaryColor::On.into();
@@ -86,7 +87,7 @@ mod tests {
         for display in [&mut wrapped, &mut expected] {
             display.set_allow_overdraw(true);
         }
-        // The mock display of 64 pixels fits ten characters per line.
+        // A line of the mock display is 64 pixels wide and fits ten characters.
         write(&mut wrapped, &FONT_6X9, format_args!("no scene {}", 123))?;
         let Ok(()) = expected.clear(BinaryColor::Off);
         let style = MonoTextStyle::new(&FONT_6X9, BinaryColor::On);

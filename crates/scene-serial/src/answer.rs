@@ -12,12 +12,12 @@ pub enum Answer<W> {
     Refused {
         /// Ticket of the scene.
         ticket: u16,
-        /// Reason, as text.
+        /// Reason why the board cannot draw the scene, as text.
         why: W,
     },
     /// The transfer failed.
     Broken {
-        /// Reason, as text.
+        /// Reason why the transfer failed, as text.
         why: W,
     },
 }
@@ -33,7 +33,8 @@ impl<W: fmt::Display> fmt::Display for Answer<W> {
 }
 
 impl<'l> Answer<&'l str> {
-    /// Parses a line without its line end. Returns `None` if it is not an answer.
+    /// Parses an answer from a line of text without its line end. Returns `None` if the
+    /// line is not an answer.
     pub fn parse(line: &'l str) -> Option<Self> {
         let ticket = |digits| u16::from_str_radix(digits, 16).ok();
         let (head, why) = match line.split_once(": ") {

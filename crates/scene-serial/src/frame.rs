@@ -1,10 +1,10 @@
 use cobs::CobsEncoder;
 use whitted::codec::Crc32;
 
-/// Bytes of ticket and checksum in a frame.
+/// Size of the ticket and the checksum in a frame, in bytes.
 pub(crate) const OVERHEAD: usize = size_of::<u16>() + size_of::<u32>();
 
-/// Returns the largest length of a frame, in bytes, for a scene of `scene_len` bytes.
+/// Returns the largest possible size in bytes of a frame with a scene of `scene_len` bytes.
 pub const fn frame_len(scene_len: usize) -> usize {
     const DELIMITERS: usize = 2;
     DELIMITERS + cobs::max_encoding_length(scene_len + OVERHEAD)

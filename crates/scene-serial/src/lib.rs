@@ -10,9 +10,9 @@
 //! ```
 //!
 //! Integers are little-endian. [COBS](cobs) removes all zeros from the payload, so a
-//! zero always separates frames and the receiver resynchronizes after lost or extra
-//! bytes. The host chooses the ticket number; the answer repeats it, so the host can
-//! ignore answers to earlier transfers.
+//! zero always separates frames, and the receiver resynchronizes after lost or extra
+//! bytes. The ticket is a number that the host chooses. The answer repeats the
+//! ticket, so the host can ignore answers to earlier transfers.
 //!
 //! ```
 //! use scene_serial::{Answer, Receiver, frame, frame_len};

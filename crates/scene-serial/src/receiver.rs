@@ -7,8 +7,8 @@ use crate::frame::checksum;
 
 /// Decodes frames byte by byte into a buffer of `CAPACITY` bytes.
 ///
-/// A scene may have up to `CAPACITY - 6` bytes: the rest is ticket and checksum. The
-/// receiver has no timer; the caller detects stalled transfers and calls
+/// A scene may have up to `CAPACITY - 6` bytes, because the ticket and the checksum take 6
+/// bytes. The receiver has no timer, so the caller must detect stalled transfers and call
 /// [`forget`](Self::forget).
 #[derive(Debug)]
 pub struct Receiver<const CAPACITY: usize> {
@@ -19,20 +19,20 @@ pub struct Receiver<const CAPACITY: usize> {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Progress {
-    /// No byte since the last frame.
+    /// No byte has arrived since the last frame.
     Waiting,
-    /// Inside a frame.
+    /// Part of a frame has arrived.
     Receiving,
-    /// Inside a frame that exceeds the capacity; the rest of it is dropped.
+    /// The current frame exceeds the capacity. The rest of the frame is dropped.
     TooLong,
     /// The buffer holds a complete message.
     Received,
 }
 
-/// A received scene.
+/// Message from the host: a scene and its ticket.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Message<'m> {
-    /// Ticket of the host, to be repeated in the answer.
+    /// Ticket number that the host chose. The answer must repeat this number.
     pub ticket: u16,
     /// Compiled scene. The checksum is correct, but the content is not validated.
     pub scene: &'m [u8],
@@ -80,7 +80,7 @@ impl<const CAPACITY: usize> Receiver<CAPACITY> {
         }
     }
 
-    /// Processes a byte. Returns a result if the byte ends a frame.
+    /// Processes a byte. If the byte ends a frame, returns the result of the transfer.
     ///
     /// Bytes are ignored while the receiver holds a message. Call
     /// [`forget`](Self::forget) to receive the next frame.
@@ -124,7 +124,7 @@ impl<const CAPACITY: usize> Receiver<CAPACITY> {
         is_incomplete.then_some(error)
     }
 
-    /// Checks the checksum of a complete frame.
+    /// Verifies the checksum of a complete frame.
     fn end(&mut self) -> Result<(), ReceiveError> {
         let is_valid = self.parts().is_some_and(|(message, sum)| {
             checksum(&[&message.ticket.to_le_bytes(), message.scene]) == sum

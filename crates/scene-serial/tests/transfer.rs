@@ -1,11 +1,11 @@
-//! Tests transfers: intact, damaged, incomplete and too long.
+//! Tests transfers that are intact, damaged, incomplete or too long.
 
 #![allow(clippy::unwrap_used)]
 
 use fastrand::Rng;
 use scene_serial::{Answer, Message, ReceiveError, Receiver, frame, frame_len};
 
-/// Buffer size: a scene of `MAX_LEN` bytes, ticket and checksum.
+/// Buffer size in bytes: a scene of `MAX_LEN` bytes, plus 6 bytes for ticket and checksum.
 const CAPACITY: usize = MAX_LEN + 6;
 const MAX_LEN: usize = 300;
 
@@ -34,7 +34,7 @@ fn assert_arrives(receiver: &mut Receiver<CAPACITY>, scene: &[u8]) {
     assert_eq!(receive_all(receiver, &encode_frame(scene)), [Ok(())]);
     let ticket = TICKET;
     assert_eq!(receiver.message(), Some(Message { ticket, scene }));
-    // `forget` reports no incomplete frame after a complete message.
+    // After a complete message, `forget` reports no incomplete frame.
     assert_eq!(receiver.forget(), None);
     assert_eq!(receiver.message(), None);
 }
@@ -70,8 +70,8 @@ fn detects_every_flipped_bit_and_receives_the_next_frame() {
 
 #[test]
 fn detects_truncated_frames_and_receives_the_next_frame() {
-    // A frame without its final zero is not truncated: the first zero of the next frame
-    // ends it.
+    // A frame that lacks only its final zero does not count as truncated: the first zero of
+    // the next frame ends it.
     let scene = random_scene(&mut Rng::with_seed(3), 40);
     let whole = encode_frame(&scene);
     for length in 0..whole.len() - 1 {

@@ -1,7 +1,7 @@
 use super::prices::PRICES;
 use super::work::Work;
 
-/// A core at the clock of a common chip.
+/// A common chip with one of the supported cores, at its highest clock.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Board {
     /// Name of the core, such as "Cortex-M3".
@@ -16,7 +16,8 @@ pub struct Board {
     cycles: f64,
 }
 
-/// One board for each core. The M7 runs the machine code of the M4F.
+/// One board for each core. The Cortex-M7 runs the machine code of the Cortex-M4F and has the same
+/// prices.
 pub const BOARDS: [Board; 5] = [
     board("Cortex-M0+", "RP2040", 133, 0, 1.40),
     board("Cortex-M3", "STM32F103", 72, 1, 1.73),

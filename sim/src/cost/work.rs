@@ -4,7 +4,7 @@ use whitted::{Color, PreparedScene, Renderer};
 
 use crate::render;
 
-/// Items with a price, in the order of [`Work::amounts`].
+/// Names of the items of work that the cost model counts, in the order of [`Work::amounts`].
 pub const ITEMS: [&str; 15] = [
     "object in a scanline",
     "camera ray",
@@ -23,7 +23,7 @@ pub const ITEMS: [&str; 15] = [
     "sphere of a sphereflake",
 ];
 
-/// Place of an item in [`ITEMS`].
+/// An item of work. The discriminant is the index of the item in [`ITEMS`].
 #[derive(Clone, Copy)]
 enum Item {
     ObjectInLine,
@@ -43,10 +43,10 @@ enum Item {
     Sphereflake,
 }
 
-/// Counts the items of a frame.
+/// Counts the items of work in a frame.
 #[derive(Clone, Debug, Default)]
 pub struct Work {
-    /// Rays by kind, and intersection tests.
+    /// Numbers of rays by kind, and of intersection tests.
     pub stats: Stats,
     amounts: [u64; ITEMS.len()],
     objects: u64,
@@ -54,14 +54,15 @@ pub struct Work {
 }
 
 impl Work {
-    /// Renders a frame and counts its items.
+    /// Renders a frame and counts its items of work.
     pub fn of(scene: &PreparedScene<'_>, size: Size) -> Self {
         let mut renderer = Renderer::with_observer(scene, size, Self::new(scene, size));
         render::trace(&mut renderer, |_| {});
         renderer.observer().clone()
     }
 
-    /// Returns the counts before the first ray. Only objects in scanlines are counted yet.
+    /// Creates the counter for a frame. Before the first ray, its only count is that of the objects
+    /// in all scanlines.
     pub fn new(scene: &PreparedScene<'_>, size: Size) -> Self {
         let counts = scene.counts();
         let mut work = Self {
@@ -82,8 +83,10 @@ impl Work {
         self.amounts[item as usize] += amount;
     }
 
-    /// Returns the bounding spheres that a secondary ray is tested against. More than 16 objects
-    /// are tested in groups of 8, of which a ray enters about two.
+    /// Returns the estimated number of bounding spheres that a secondary ray is tested against. Up
+    /// to 16 objects are tested one by one. More objects are in groups of 8: the ray is tested
+    /// against the sphere of each group, and against 16 objects in the two groups that it enters on
+    /// average.
     fn bounds(&self) -> u64 {
         match self.objects {
             0..=16 => self.objects,

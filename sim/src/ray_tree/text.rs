@@ -11,8 +11,8 @@ use whitted::{Color, Real};
 use super::{RayTree, ShadowRay, TreeNode};
 
 impl RayTree {
-    /// Formats the tree, the pixel's color, and the number of rays. `describe` returns the
-    /// description of an object, if it has one.
+    /// Formats the ray tree, the pixel's color, and the number of rays. `describe` is called with
+    /// the index of an object and returns its description, if any.
     pub fn draw(&self, describe: impl Fn(u16) -> Option<String>) -> String {
         let mut text = String::new();
         for line in tree_lines(&self.nodes, &describe) {
@@ -44,7 +44,7 @@ impl RayTree {
     }
 }
 
-/// Formats a tree as lines: its root, then its shadow rays and subtrees, indented.
+/// Formats a ray tree as lines: first the root, then its shadow rays and subtrees, indented.
 fn tree_lines(tree: &[TreeNode], describe: &dyn Fn(u16) -> Option<String>) -> Vec<String> {
     let Some((root, rest)) = tree.split_first() else {
         return Vec::new();
@@ -99,7 +99,7 @@ impl fmt::Display for ShadowRay {
     }
 }
 
-/// Formats a color with four decimals; a gray is one number.
+/// Formats a color with four decimals. A gray color is written as one number.
 fn format_color<T: fmt::Display + PartialEq>(Color { r, g, b }: Color<T>) -> String {
     if r == g && g == b {
         format!("{r:.4}")

@@ -61,7 +61,7 @@ fn track(table: &Table<'_>, targets: &[NamedTarget]) -> Result<FileTrack, LoadEr
 }
 
 fn keyframes(table: &Table<'_>, kind: ValueKind) -> Result<Vec<Keyframe>, LoadError> {
-    // Errors show an example of the target's type.
+    // Error messages show example keyframes with values of the target's type.
     let key = example_key(kind);
     let value = table
         .need("keys")
@@ -119,7 +119,7 @@ fn keyframe(value: &Value<'_>, kind: ValueKind) -> Result<Keyframe, LoadError> {
     })
 }
 
-/// Returns the name under which [`example`] has keyframes of a type.
+/// Returns the key for which [`example`] returns keyframes of this type.
 fn example_key(kind: ValueKind) -> &'static str {
     match kind {
         ValueKind::Point => "keys",

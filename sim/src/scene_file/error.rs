@@ -2,16 +2,16 @@ use std::error::Error;
 use std::fmt;
 use std::io;
 
-/// Error in a scene file: its place, the reason, and how to fix it.
+/// An error in a scene file, with its place, its reason, and advice.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LoadError {
     /// File name as the caller passed it.
     pub file: String,
-    /// Line, counted from 1; `None` if the error concerns the file as a whole.
+    /// Line number, counted from 1, or `None` if the error concerns the file as a whole.
     pub line: Option<usize>,
     /// Path of the key, such as `objects[1].radius`.
     pub key: Option<String>,
-    /// Reason, to be read after the key.
+    /// Reason of the error, as a phrase that follows the key in the message.
     pub reason: String,
     /// Advice on how to fix the error.
     pub help: Option<String>,

@@ -1,5 +1,5 @@
-/// Returns an example line for a key, or an empty string for an unknown key. Error messages quote
-/// it.
+/// Returns an example line for a key, to be quoted in error messages. Returns an empty string for
+/// an unknown key.
 pub(super) fn example(key: &str) -> &'static str {
     match key {
         "title" => r#"title = "Still life""#,

@@ -1,4 +1,4 @@
-//! Turns errors of the library into errors with a line and a key of the file.
+//! Converts errors of the library to errors with a line and a key of the scene file.
 
 use whitted::scene::{SceneItem, SceneProblem};
 use whitted::{Real, SceneError};
@@ -17,7 +17,7 @@ impl SceneFile {
             Some(entry) => entry.path.clone(),
             None => child(&item, error.field),
         };
-        // A key left to its default has no line; its table has one.
+        // A key that is not in the file has no line, so the error has the line of its table.
         let line = entry.or_else(|| self.outline.find(&item));
         LoadError {
             file: self.outline.name().to_owned(),
@@ -28,7 +28,7 @@ impl SceneFile {
         }
     }
 
-    /// Returns the path of a scene item's table.
+    /// Returns the path of a scene item's table in the file, such as `lights[0]`.
     fn path(&self, item: SceneItem) -> String {
         match item {
             SceneItem::Scene => String::new(),
@@ -42,7 +42,8 @@ impl SceneFile {
         }
     }
 
-    /// Returns the key of a field. A light's `color` sets both `diffuse` and `specular`.
+    /// Returns the key in the file that sets a field of the scene. The fields `diffuse` and
+    /// `specular` of a light may both be set by the key `color`.
     fn entry(&self, item: &str, field: &str) -> Option<&Entry> {
         let alternative = match field {
             "diffuse" | "specular" => "color",
@@ -70,7 +71,7 @@ fn reason(problem: SceneProblem, entry: Option<&Entry>) -> String {
 
 fn help(problem: SceneProblem, key: &str) -> Option<String> {
     let name = key.rsplit('.').next().unwrap_or_default();
-    // The example of an array's element is the whole array.
+    // For an element of an array, the example shows the whole array.
     let name = name.split('[').next().unwrap_or_default();
     let example = example(name);
     Some(match problem {
@@ -87,8 +88,9 @@ fn help(problem: SceneProblem, key: &str) -> Option<String> {
     })
 }
 
-/// Returns the end of a range that is nearest to the example's number, or `None` if the example
-/// is in range. The range of a size depends on the scene, so the example may be out of range.
+/// Clamps the number in an example line to a range. Returns the end of the range, or `None` if the
+/// number is in the range. A fixed example may be out of range, because the range of a size depends
+/// on the scene.
 fn clamped(example: &str, least: Real, most: Real) -> Option<Real> {
     let number: Real = example.rsplit(' ').next()?.parse().ok()?;
     let clamped = number.clamp(least, most);

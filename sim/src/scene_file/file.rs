@@ -3,24 +3,24 @@ use whitted::{Light, Material, MaterialId, Object, Scene, SceneBuffer, Texture};
 use super::file_animation::FileAnimation;
 use super::outline::Outline;
 
-/// Scene buffer for scene files: 256 objects, 16 lights and 256 materials.
+/// Scene buffer for scene files. Its capacity is 256 objects, 16 lights and 256 materials.
 pub type Buffer = SceneBuffer<256, 16, 256>;
 
-/// Buffer for the frames of an animated scene file: 256 objects and 16 lights.
+/// Buffer for the frames of an animated scene file. Its capacity is 256 objects and 16 lights.
 pub type AnimatedScene = whitted::animation::AnimatedScene<256, 16>;
 
-/// Content of a scene file, with owned lists.
+/// Content of a scene file. Its lists are vectors, while those of a [`Scene`] are borrowed.
 #[derive(Clone, Debug)]
 pub struct SceneFile {
     /// Title of the scene.
     pub title: Option<String>,
-    /// Camera and settings of the scene. Its lists are empty.
+    /// Camera and settings of the scene. The lists in this value are empty.
     pub settings: Scene<'static>,
     /// Lights, in the file's order.
     pub lights: Vec<Light>,
-    /// Materials, in the file's order; a `MaterialId` is an index into this list.
+    /// Materials, in the file's order. A `MaterialId` is an index into this list.
     pub materials: Vec<Material>,
-    /// Names of the materials, parallel to `materials`.
+    /// Names of the materials, in the order of `materials`.
     pub material_names: Vec<String>,
     /// Objects, in the file's order.
     pub objects: Vec<Object>,

@@ -1,7 +1,8 @@
 use whitted::Real;
 use whitted::animation::{Animation, Interpolation, Keyframe, Target, Track};
 
-/// Content of the table `[animation]` of a scene file, with owned lists.
+/// Content of the table `[animation]` of a scene file. Its lists are vectors, while those of an
+/// [`Animation`] are borrowed.
 #[derive(Clone, Debug)]
 pub struct FileAnimation {
     /// Duration in seconds.
@@ -51,7 +52,7 @@ impl FileAnimation {
         self.tracks.iter().map(FileTrack::borrow).collect()
     }
 
-    /// Calls a function with the animation in the library's form.
+    /// Calls a function with this animation as the library's [`Animation`].
     pub(super) fn with_animation<T>(&self, call: impl FnOnce(&Animation<'_>) -> T) -> T {
         call(&Animation {
             duration: self.duration,

@@ -2,7 +2,7 @@ use super::error::LoadError;
 use super::table::Table;
 use super::value::Value;
 
-/// Reads the `name` of an object or a light, by which animation tracks refer to it.
+/// Reads the `name` of an object or a light. Animation tracks refer to objects and lights by name.
 pub(super) fn name<'a>(table: &Table<'a>) -> Result<Option<Value<'a>>, LoadError> {
     let name = table.get("name");
     if let Some(name) = &name

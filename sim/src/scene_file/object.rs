@@ -17,7 +17,7 @@ pub(super) struct NamedObject<'a> {
     pub(super) name: Option<Value<'a>>,
 }
 
-/// Reads an object.
+/// Reads an object of any type from a scene file.
 pub(super) fn object<'a>(
     value: &Value<'a>,
     materials: &MaterialNames<'_>,
@@ -44,7 +44,8 @@ pub(super) fn object<'a>(
     })
 }
 
-/// Returns the keys of objects of all types, for an object without a `type`.
+/// Returns the keys of objects of all types. They are the accepted keys of an object whose `type`
+/// is missing.
 fn all_keys() -> Vec<&'static str> {
     let mut keys = OBJECT.keys.to_vec();
     for key in SHAPES.iter().flat_map(|shape| shape.schema.keys) {

@@ -2,14 +2,16 @@ use toml::de::{DeTable, DeValue};
 
 use super::source::Source;
 
-/// Line and text of every key of a scene file, kept for errors found after reading.
+/// Lines and values of all keys of a scene file. They are kept for errors that are found after the
+/// file was read.
 #[derive(Clone, Debug)]
 pub(super) struct Outline {
     name: String,
     entries: Vec<Entry>,
 }
 
-/// A key, its line, and its value as written in the file, on one line.
+/// A key of a scene file, with its line number, and with its value as written in the file but on
+/// one line.
 #[derive(Clone, Debug)]
 pub(super) struct Entry {
     pub(super) path: String,
@@ -26,7 +28,7 @@ impl Outline {
         Self { name, entries }
     }
 
-    /// Returns the entry of a key, by its path.
+    /// Returns the entry of the key with this path.
     pub(super) fn find(&self, path: &str) -> Option<&Entry> {
         self.entries.iter().find(|entry| entry.path == path)
     }

@@ -7,17 +7,18 @@ impl SceneFile {
     /// Prepares the scene.
     ///
     /// # Errors
-    /// The line and key of the first value that the library rejects.
+    /// Returns the line and key of the first value that the library rejects.
     pub fn prepare<'b>(&'b self, buffer: &'b mut Buffer) -> Result<PreparedScene<'b>, LoadError> {
         buffer
             .prepare(&self.scene())
             .map_err(|error| self.explain(error))
     }
 
-    /// Returns the scene at a time in seconds. A scene without `[animation]` does not change.
+    /// Returns the scene at a time of its animation, in seconds. A scene without `[animation]` is
+    /// returned unchanged.
     ///
     /// # Errors
-    /// The line and key of the first track that the library rejects.
+    /// Returns the line and key of the first track that the library rejects.
     pub fn frame<'s>(
         &'s self,
         buffer: &'s mut AnimatedScene,

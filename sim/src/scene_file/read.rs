@@ -112,7 +112,7 @@ fn background(value: &Value<'_>) -> Result<Background, LoadError> {
     })
 }
 
-/// Reads an array of tables; a missing key is an empty array.
+/// Reads an array of tables. A missing key counts as an empty array.
 fn each<'a, T>(
     table: &Table<'a>,
     key: &'static str,

@@ -3,7 +3,7 @@
 /// Keys that one kind of TOML table accepts.
 #[derive(Clone, Copy, Debug)]
 pub struct TableSchema {
-    /// Name with its article, as error messages print it: "a light".
+    /// Name of the table with its article, as error messages print it, such as "a light".
     pub name: &'static str,
     /// Accepted keys, in the order in which error messages list them.
     pub keys: &'static [&'static str],
@@ -58,7 +58,7 @@ pub(super) const MATERIAL: TableSchema = TableSchema {
     ],
 };
 
-/// Keys that objects of every type accept; each type adds its own.
+/// Keys that objects of every type accept. Each type adds its own keys.
 pub(super) const OBJECT: TableSchema = TableSchema {
     name: "an object",
     keys: &["type", "material", "checker", "name"],

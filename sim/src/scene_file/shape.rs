@@ -1,4 +1,4 @@
-//! Readers of the types of objects, one file each.
+//! Readers of the types of objects. Each type has its own file.
 
 mod cone;
 mod cylinder;

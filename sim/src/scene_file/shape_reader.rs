@@ -4,21 +4,21 @@ use super::error::LoadError;
 use super::schema::TableSchema;
 use super::table::Table;
 
-/// Reader of one type of object.
+/// Reads one type of object from a scene file.
 #[derive(Clone, Copy)]
 pub(super) struct ShapeReader {
-    /// Value of the key `type`.
+    /// Value of the key `type` for this type of object.
     pub(super) type_name: &'static str,
-    /// Keys of this type, in addition to those of every object.
+    /// Keys of this type of object, in addition to the keys of all objects.
     pub(super) schema: TableSchema,
-    /// Key of the position, which animation tracks can move.
+    /// Key of the object's position, which animation tracks can change.
     pub(super) position_key: &'static str,
-    /// Reads the shape from a table without unknown keys.
+    /// Reads the shape from a table whose keys are already checked.
     pub(super) read: fn(&Table<'_>) -> Result<Shape, LoadError>,
 }
 
 impl ShapeReader {
-    /// Returns true if the type has a `radius`, which animation tracks can change.
+    /// Returns true if objects of this type have a `radius`, which animation tracks can change.
     pub(super) fn has_radius(&self) -> bool {
         self.schema.keys.contains(&"radius")
     }

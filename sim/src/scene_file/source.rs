@@ -5,7 +5,7 @@ use toml::de::DeTable;
 
 use super::error::LoadError;
 
-/// Text of a scene file. Maps byte offsets to line numbers for error messages.
+/// Text of a scene file. The byte offset of an error is mapped to its line number.
 pub(super) struct Source<'a> {
     /// File name in error messages.
     pub(super) name: &'a str,
@@ -19,7 +19,8 @@ impl<'a> Source<'a> {
         1 + before.filter(|byte| **byte == b'\n').count()
     }
 
-    /// Returns an error about a key at a byte range. An empty `key` is left out of the message.
+    /// Returns an error about a key at a byte range of the file. If `key` is empty, the message
+    /// names no key.
     pub(super) fn error(
         &self,
         place: &Range<usize>,

@@ -1,9 +1,9 @@
-//! Suggests known names for a misspelled one.
+//! Suggests a known name for a misspelled name.
 
 /// Returns the candidate closest to a misspelled name, if one is close enough.
 ///
-/// A candidate is close enough if at most two fifths of its letters differ, or if it begins with
-/// the name. Case is ignored.
+/// A candidate is close enough if at most two fifths of its letters differ from the misspelled
+/// name, or if it begins with that name. Case is ignored.
 pub fn nearest<'c>(name: &str, candidates: impl IntoIterator<Item = &'c str>) -> Option<&'c str> {
     let name = name.to_lowercase();
     candidates
@@ -22,8 +22,8 @@ fn distance(name: &str, candidate: &str) -> Option<usize> {
     (5 * edits <= 2 * length + 1 || is_prefix).then_some(edits)
 }
 
-/// Returns the help text for an unknown name: the nearest candidate, or `candidates_are` followed
-/// by all candidates.
+/// Returns the help text for an unknown name. The text suggests the nearest candidate. If no
+/// candidate is near, it is `candidates_are` followed by all candidates.
 pub(super) fn suggestion<'c>(
     name: &str,
     candidates: impl IntoIterator<Item = &'c str> + Clone,

@@ -14,9 +14,9 @@ use super::value::Value;
 /// A TOML table whose keys are checked against a schema.
 pub(super) struct Table<'a> {
     source: &'a Source<'a>,
-    /// Path of the table, such as `objects[1]`; empty for the top level.
+    /// Path of the table, such as `objects[1]`. The path of the top level is empty.
     path: String,
-    /// Name with its article, as error messages print it: "a light".
+    /// Name of the table with its article, as error messages print it, such as "a light".
     name: &'static str,
     /// Byte range of the table's heading.
     heading: Range<usize>,
@@ -47,8 +47,8 @@ impl<'a> Table<'a> {
         Ok(table)
     }
 
-    /// Opens a value that must be a table, with any keys. `expected` describes the value in the
-    /// error for another type.
+    /// Opens a value that must be a table, without checking its keys. `expected` describes the
+    /// table in the error for a value of another type.
     pub(super) fn open_any(
         value: &Value<'a>,
         expected: &str,
@@ -66,15 +66,15 @@ impl<'a> Table<'a> {
         })
     }
 
-    /// Renames the table in error messages.
+    /// Sets the name of the table in error messages.
     pub(super) fn named(self, name: &'static str) -> Self {
         Self { name, ..self }
     }
 
     /// Returns an error for the first key that is not in `known`.
     ///
-    /// Call this before looking for required keys: a misspelled key is both unknown and missing,
-    /// and only the unknown key shows the typing error.
+    /// Call this function before reading required keys. A misspelled required key is both unknown
+    /// and missing, and only the error for the unknown key shows the misspelling.
     pub(super) fn reject_unknown(
         &self,
         name: &str,
@@ -99,7 +99,7 @@ impl<'a> Table<'a> {
         }
         let keys_are = format!("the keys of {name} are");
         let known = known.iter().copied();
-        // A key that another table accepts is misplaced, not misspelled.
+        // A key that has an example belongs to another table: it is misplaced, not misspelled.
         if example(key).is_empty() {
             suggestion(key, known, &keys_are)
         } else {
@@ -123,7 +123,7 @@ impl<'a> Table<'a> {
         self.get(key).ok_or_else(|| self.missing(key, self.name))
     }
 
-    /// Returns the error for a missing key; `who` requires it.
+    /// Returns the error for a missing key. `who` names the table or type that requires the key.
     pub(super) fn missing(&self, key: &str, who: &str) -> LoadError {
         let reason = format!("missing: {who} needs it");
         self.source
@@ -131,7 +131,7 @@ impl<'a> Table<'a> {
             .help(format!("add `{}`", example(key)))
     }
 
-    /// Returns all keys and values, in the file's order.
+    /// Returns all keys and values of the table, in the file's order.
     pub(super) fn entries(&self) -> Vec<(&'a str, Value<'a>)> {
         let mut entries: Vec<_> = self.entries.iter().collect();
         entries.sort_by_key(|(key, _)| key.span().start);

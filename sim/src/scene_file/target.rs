@@ -4,13 +4,13 @@ use super::light::NamedLight;
 use super::object::NamedObject;
 use super::value::Value;
 
-/// Type of a track's values.
+/// Type of the values of an animation track.
 #[derive(Clone, Copy)]
 pub(super) enum ValueKind {
     Point,
     Color,
     Number,
-    /// Yaw, or yaw and pitch.
+    /// Angles of the camera: yaw, or yaw and pitch.
     Angles,
 }
 

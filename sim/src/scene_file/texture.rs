@@ -16,8 +16,8 @@ const AXES: [(&str, [Axis; 2]); 6] = [
     ("zy", [Axis::Z, Axis::Y]),
 ];
 
-/// Reads the texture of an object: one material or a checkerboard. `owner` names the type of
-/// object in errors.
+/// Reads the texture of an object, which is one material or a checkerboard. `owner` is the type of
+/// the object, for error messages.
 pub(super) fn texture(
     table: &Table<'_>,
     owner: &str,

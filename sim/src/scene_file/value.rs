@@ -7,7 +7,7 @@ use super::example::example;
 use super::source::Source;
 use super::suggest::suggestion;
 
-/// A TOML value whose type is not checked yet.
+/// A value in a TOML file. Its type is not checked yet.
 pub(super) struct Value<'a> {
     pub(super) source: &'a Source<'a>,
     /// Path of the value, such as `objects[1].center[2]`.
@@ -23,7 +23,7 @@ impl<'a> Value<'a> {
         self.source.error(&self.node.span(), &self.path, reason)
     }
 
-    /// Returns the error for a value of the wrong type; `expected` describes the right one.
+    /// Returns the error for a value of the wrong type. `expected` describes the right type.
     pub(super) fn wrong_type(&self, expected: &str) -> LoadError {
         let node = self.node.get_ref();
         let (found, is_number) = match node {
@@ -70,7 +70,7 @@ impl<'a> Value<'a> {
         number.map_err(|()| self.error_with_example("must be from -2147483648 to 2147483647"))
     }
 
-    /// Reads an integer from 0 to `max`.
+    /// Reads the value as an integer from 0 to `max`.
     pub(super) fn integer(&self, max: u8) -> Result<u8, LoadError> {
         let integer = match self.node.get_ref() {
             DeValue::Integer(integer) => integer,
@@ -100,12 +100,13 @@ impl<'a> Value<'a> {
         Ok(Color::new(r, g, b))
     }
 
-    /// Reads an interval `[low, high]`. Preparing the scene checks that `low` is below `high`.
+    /// Reads an interval `[low, high]`. The library checks that `low` is below `high` when it
+    /// prepares the scene.
     pub(super) fn interval(&self) -> Result<[Real; 2], LoadError> {
         self.numbers("an interval [low, high]")
     }
 
-    /// Reads an array of `N` numbers; `expected` describes it in errors.
+    /// Reads an array of `N` numbers. `expected` describes the array in error messages.
     pub(super) fn numbers<const N: usize>(&self, expected: &str) -> Result<[Real; N], LoadError> {
         let mut numbers = [Real::ZERO; N];
         for (number, value) in numbers.iter_mut().zip(self.array::<N>(expected)?) {
@@ -114,7 +115,7 @@ impl<'a> Value<'a> {
         Ok(numbers)
     }
 
-    /// Reads an array of `N` values; `expected` describes it in errors.
+    /// Reads an array of `N` values. `expected` describes the array in error messages.
     pub(super) fn array<const N: usize>(
         &self,
         expected: &str,
@@ -126,7 +127,7 @@ impl<'a> Value<'a> {
         })
     }
 
-    /// Reads an array of any length; `expected` describes it in errors.
+    /// Reads an array of any length. `expected` describes the array in error messages.
     pub(super) fn list(&self, expected: &str) -> Result<Vec<Value<'a>>, LoadError> {
         let DeValue::Array(nodes) = self.node.get_ref() else {
             return Err(self.wrong_type(expected));
@@ -140,7 +141,7 @@ impl<'a> Value<'a> {
         Ok(nodes.iter().enumerate().map(element).collect())
     }
 
-    /// Reads a string; `expected` describes it in errors.
+    /// Reads a string. `expected` describes the string in error messages.
     pub(super) fn text(&self, expected: &str) -> Result<&'a str, LoadError> {
         self.node
             .get_ref()
@@ -158,7 +159,8 @@ impl<'a> Value<'a> {
 
     /// Reads a string that names one of `choices`.
     ///
-    /// In errors, `expected` describes the string, and `choices_are` introduces the list of choices.
+    /// In error messages, `expected` describes the string, and `choices_are` introduces the list of
+    /// choices.
     pub(super) fn choice<T: Copy>(
         &self,
         choices: &[(&'static str, T)],

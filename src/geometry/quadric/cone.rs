@@ -13,7 +13,7 @@ use crate::math::{Length, Product, Real, Square, Unit, Vec3, quotient, round_len
 use crate::observer::ShapeKind;
 use crate::scene::{SceneError, SceneItem};
 
-/// Height and radius differ by a factor of at most 2^10.
+/// The height and the radius of a cone differ by a factor of at most 2^10.
 const STEEPEST: u32 = 10;
 
 /// A cone in world units.
@@ -25,7 +25,8 @@ pub(in super::super) struct Authored {
 }
 
 impl Authored {
-    /// Radius at a height, negative beyond the apex, in the bits of a [`Real`]; it must fit.
+    /// Returns the radius of the cone at the height `y`, as the raw bits of a [`Real`]. The
+    /// radius is negative beyond the apex. The caller ensures that it fits.
     fn radius_at(&self, y: Real) -> i64 {
         let product = i128::from(self.radius.to_bits()) * i128::from((self.height - y).to_bits());
         product
@@ -33,7 +34,7 @@ impl Authored {
             .unwrap_or(0) as i64
     }
 
-    /// The form whose coordinates count from the height `middle`.
+    /// Returns the prepared form. The origin of its coordinates is at the height `middle`.
     fn form(&self, middle: Real, normalization: &Normalization) -> Cone {
         let (radius, height) = (self.radius, self.height);
         let half = Unit::ONE / 2;
@@ -76,7 +77,8 @@ impl AuthoredShape for Authored {
         limits::range(item, "height", height, heights)?;
         let Some(y) = y else { return Ok(()) };
         limits::interval(item, "y", y)?;
-        // The radius at either end must be a valid coordinate.
+        // At both ends of the clamp, the radius of the cone must be within the limits of a
+        // coordinate.
         let steepness = height.abs().checked_div(radius).unwrap_or(Real::ZERO);
         let reach = FARTHEST.saturating_mul(steepness).min(FARTHEST);
         let within = [height - reach, height + reach];
@@ -84,7 +86,8 @@ impl AuthoredShape for Authored {
             .try_for_each(|y| limits::range(item, "y", y, within))
     }
 
-    /// An unbounded cone counts from its base to its apex.
+    /// Adds the cone to the extent. For an unbounded cone, only the part from the base to the
+    /// apex counts.
     fn extend(&self, extent: &mut Extent) {
         let y = self.y.unwrap_or([Real::ZERO, self.height]);
         extent.add_rings(self.origin, y, y.map(|y| self.radius_at(y).abs()));
@@ -111,15 +114,16 @@ impl AuthoredShape for Authored {
     }
 }
 
-/// A cone around the y axis, scaled to a slope of one: `x² + z² = v²` with
-/// `v = radius - axial * y`. Everything is halved, so that no vector is 8 long.
+/// A cone around the y axis, scaled to a slope of one. Its equation is `x² + z² = v²`, where x
+/// and z are multiplied by `radial`, and `v = radius - axial * y`. All scaled coordinates are
+/// halved, so that the length of every vector stays below 8.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Cone {
-    /// Scale of x and z: 1/2, or less for a flat cone.
+    /// Factor of x and z: 1/2, or less for a flat cone.
     pub(super) radial: Unit,
-    /// Scale of y: 1/2, or less for a steep cone; negative where the radius grows with y.
+    /// Factor of y: 1/2, or less for a steep cone. Negative if the radius grows with y.
     pub(super) axial: Unit,
-    /// Scaled radius at the center; negative beyond the apex.
+    /// Scaled radius at the height of the center. Negative if the center is beyond the apex.
     pub(super) radius: Length,
 }
 
@@ -128,7 +132,7 @@ impl Cone {
         Vec3::new(self.radial, self.axial, self.radial)
     }
 
-    /// Returns x, v and z, in steps of `2^shift`.
+    /// Returns the scaled coordinates x, v and z of a point, in units of `2^(shift - 28)`.
     fn scaled(&self, v: Vec3<Length>, shift: u8) -> Vec3<Length> {
         let v = scaled_by_axis(v.map(Length::to_bits), self.axis_scale()).map(Length::from_bits);
         Vec3::new(v.x, (self.radius >> u32::from(shift)) - v.y, v.z)
@@ -145,8 +149,9 @@ impl QuadricForm for Cone {
         quotient(scaled.to_bits().max(1) as u64, self.radial.to_bits() as u64).near()
     }
 
-    /// The equation of a sphere of radius zero, except for the sign of v. The discriminant is
-    /// the sum of the squares of `o × d`, with the opposite sign for the part without v.
+    /// Returns the coefficients of `x² + z² - v² = 0` along a ray. For the scaled origin o and
+    /// the scaled direction d, the discriminant is the sum of the squared components of
+    /// `o × d`, with a minus sign for the component along v.
     fn quadratic(&self, offset: Vec3<Length>, direction: Vec3<Unit>, shift: u8) -> Quadratic {
         let o = self.scaled(offset, shift);
         let d = scaled_by_axis(direction.map(Unit::to_bits), self.axis_scale());

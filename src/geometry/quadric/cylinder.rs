@@ -27,7 +27,8 @@ impl AuthoredShape for Authored {
         self.y.map_or(Ok(()), |y| limits::interval(item, "y", y))
     }
 
-    /// An unbounded cylinder counts as a circle at the lowest height so far.
+    /// Adds the cylinder to the extent. An unbounded cylinder counts as a circle at the lowest
+    /// height in the extent so far.
     fn extend(&self, extent: &mut Extent) {
         let radii = [self.radius.to_bits(); 2];
         match self.y {
@@ -54,7 +55,7 @@ impl AuthoredShape for Authored {
         Ok(match self.y {
             Some(y) => Placed::clamped(self.origin, y, normalization, form),
             None => Placed {
-                // The height of the center does not matter.
+                // The center of an unbounded cylinder may be at any height.
                 center: Vec3 {
                     y: Length::ZERO,
                     ..normalization.point(self.origin)
@@ -80,8 +81,9 @@ impl QuadricForm for Cylinder {
         Some(self.radius)
     }
 
-    /// The equation of a circle in the plane of x and z. The discriminant is
-    /// `r² |d|² - (o × d)²`.
+    /// Returns the equation of the ray and a circle, both projected to the plane of x and z.
+    /// The discriminant is `r² |d|² - (o × d)²`, where r is the radius, o the origin and d the
+    /// direction.
     fn quadratic(&self, offset: Vec3<Length>, direction: Vec3<Unit>, shift: u8) -> Quadratic {
         let (o, d) = (offset, direction);
         let a = (d.x.square() + d.z.square()).to_bits();

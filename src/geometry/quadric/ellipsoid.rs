@@ -12,7 +12,7 @@ use crate::math::{Length, Product, Real, Square, Unit, Vec3, quotient, upper_pro
 use crate::observer::ShapeKind;
 use crate::scene::{SceneError, SceneItem};
 
-/// The longest radius is at most 2^8 times the shortest.
+/// Limit of the radii of an ellipsoid: the longest is at most 2^8 times the shortest.
 const FLATTEST: u32 = 8;
 
 /// An ellipsoid in world units.
@@ -63,10 +63,11 @@ impl AuthoredShape for Authored {
     }
 }
 
-/// An ellipsoid, as the sphere that it becomes when each axis is scaled to the shortest one.
+/// An ellipsoid, stored as a sphere with the shortest radius. Multiplying coordinates by
+/// `axis_scale` turns the ellipsoid into that sphere.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Ellipsoid {
-    /// Shortest radius divided by each radius: at most 1.
+    /// Shortest radius divided by the radius along each axis, at most 1.
     pub(super) axis_scale: Vec3<Unit>,
     /// Shortest radius.
     pub(super) radius: Length,
@@ -82,15 +83,16 @@ impl QuadricForm for Ellipsoid {
     const KIND: ShapeKind = ShapeKind::Ellipsoid;
     const TAG: u8 = 3;
 
-    /// Longest radius.
+    /// Returns the longest radius.
     fn max_radius(&self, _: Length) -> Option<Length> {
         let Vec3 { x, y, z } = self.axis_scale;
         let smallest = x.min(y).min(z).to_bits() as u64;
         quotient(self.radius.to_bits() as u64, smallest).near()
     }
 
-    /// The discriminant is `r² |d|² - |o × d|²` in scaled space, which keeps the bits that
-    /// `b² - a c` loses (Lagrange's identity).
+    /// Returns the equation of a ray and the sphere in scaled coordinates. The discriminant is
+    /// `r² |d|² - |o × d|²` (Lagrange's identity), where r is the radius, o the origin and d
+    /// the direction. This form keeps bits that `b² - a c` loses.
     fn quadratic(&self, offset: Vec3<Length>, direction: Vec3<Unit>, _: u8) -> Quadratic {
         let o = self.scaled(offset);
         let d = scaled_by_axis(direction.map(Unit::to_bits), self.axis_scale).map(Unit::from_bits);

@@ -1,4 +1,4 @@
-//! Error bounds of ellipsoid, cylinder, cone and paraboloid.
+//! Tests of the error bounds of ellipsoids, cylinders, cones and paraboloids.
 
 #![cfg(test)]
 
@@ -18,11 +18,13 @@ use crate::tests::random::{between, random_length};
 
 const CASES: usize = 200_000;
 
-/// Measures the distance of hits from the surface, and of normals from the gradient.
+/// Measures two errors for random rays: the distance of a hit from the surface, and the
+/// deviation of the normal from the gradient.
 ///
-/// `names` and `bounds` are those of the two errors. `make` returns a random quadric and
-/// its dimensions; `function` the value of the implicit function and its gradient.
-/// `conditioning` is the factor by which the bound of a hit grows for a direction, inverted.
+/// `names` and `bounds` have one entry for each of the two errors. `make` returns a random
+/// quadric and its dimensions. `function` returns the value and the gradient of the implicit
+/// function at a point. `conditioning` returns a factor for the direction of the ray; the error
+/// of the hit is multiplied by this factor before the comparison with the bound.
 fn quadric(
     seed: u64,
     names: [&'static str; 2],
@@ -44,8 +46,8 @@ fn quadric(
         let exact = lengths(ray.origin.coordinates) + way - lengths(quadric.center);
         let (value, gradient) = function(exact, size);
         let steepness = length(gradient);
-        // A cone has no normal at its apex, and prepared cones end within this distance of
-        // their center.
+        // Skips hits near the apex of a cone, where there is no normal, and hits farther than
+        // sqrt(3) from the center, where a prepared cone has ended.
         if steepness < 0.005 || dot(exact, exact) > 3.0 {
             continue;
         }
@@ -61,7 +63,7 @@ fn quadric(
     turned.check();
 }
 
-/// Returns a random clamp interval of y around the center.
+/// Returns a random interval of y around the center, for the clamp of a quadric.
 fn clamp(random: &mut Rng, center: Vec3<Length>) -> Option<[Length; 2]> {
     let half = Length::from_num(between(random, 0.05, 0.5));
     Some([center.y - half, center.y + half])
@@ -81,7 +83,7 @@ fn ellipsoids() {
                 axis_scale: Vec3::new(a, b, c),
                 radius: Length::from_num(shortest),
             };
-            // Dimensions after rounding.
+            // Radii of the ellipsoid after the rounding of its fields.
             let sizes = [a, b, c].map(|k| form.radius.to_num::<f64>() / k.to_num::<f64>());
             let center = random::point(random, 0.5);
             let form = Form::Ellipsoid(form);
@@ -103,7 +105,8 @@ fn ellipsoids() {
     );
 }
 
-/// The error of a hit grows as 1/sin of the angle between ray and axis below a sine of 1/8.
+/// The error of a hit depends on the angle between the ray and the axis of the cylinder. Where
+/// the sine of the angle is below 1/8, the error grows with the reciprocal of the sine.
 #[test]
 fn cylinders() {
     quadric(

@@ -21,8 +21,8 @@ pub(in super::super) struct Authored {
 }
 
 impl Authored {
-    /// The clamp without the part below the vertex, where there is no surface. A margin keeps
-    /// the vertex itself.
+    /// Returns the clamp without the part below the vertex, where there is no surface. A margin
+    /// of 2^-10 of the upper end keeps the vertex itself.
     fn ends(&self) -> [Real; 2] {
         let [low, high] = self.y;
         [low.max(-(high >> 10_u32)), high]
@@ -48,12 +48,13 @@ impl AuthoredShape for Authored {
         normalization: &Normalization,
         item: SceneItem,
     ) -> Result<Placed<Paraboloid>, SceneError> {
-        // Both the height and the radius at the upper end must be resolvable.
+        // The height and the radius at the upper end must both be resolvable.
         let least = limits::least_size(normalization);
         let least = least.max(least.saturating_mul(least));
         limits::range(item, "y[1]", self.y[1], [least, FARTHEST])?;
         let y = self.ends();
-        // x² + z² = y 2^exponent. After the scaling the exponent is at most 0.
+        // The equation of the prepared surface is x² + z² = y 2^exponent. Multiplying x and z
+        // by 2^-shift makes the exponent at most 0.
         let shift = (normalization.exponent.max(0) + 1) / 2;
         let form = Paraboloid {
             radius_squared: I8F56::from_bits(
@@ -66,25 +67,28 @@ impl AuthoredShape for Authored {
     }
 }
 
-/// Square root of a positive number, rounded up: Q32 -> Q40 -> Q20 -> Q32.
+/// Returns the square root of a positive number, rounded up. The number is shifted from Q32 to
+/// Q40, so its root has Q20, and the result is shifted to Q32.
 fn root(x: Real) -> i64 {
     (i64::from(square_root((x.to_bits() as u64) << 8)) + 1) << 12
 }
 
-/// A paraboloid around the y axis: `x² + z² = g y + r²`, with x and z scaled by a power of two
-/// that keeps g within 1.
+/// A paraboloid around the y axis: `x² + z² = g y + r²`, where r is the radius at the center
+/// and g the growth of the squared radius along y. The coordinates x and z are multiplied by a
+/// power of two that makes g at most 1.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Paraboloid {
-    /// Square of the scaled radius at the center.
+    /// Square of the radius at the center, which is scaled like x and z.
     pub(super) radius_squared: I8F56,
-    /// x and z are scaled by `2^-shift`.
+    /// The coordinates x and z are multiplied by `2^-shift`.
     pub(super) shift: u8,
-    /// `g = 2^-g_log2`: 0 to 31.
+    /// Negative logarithm of the growth g of the squared radius: `g = 2^-g_log2`, with `g_log2`
+    /// from 0 to 31.
     pub(super) g_log2: u8,
 }
 
 impl Paraboloid {
-    /// g as `U1F31`: at least 2^-31.
+    /// Returns the growth g of the squared radius along y, as `U1F31`. It is at least 2^-31.
     fn g(&self) -> u32 {
         (1_u32 << 31).unbounded_shr(self.g_log2.into())
     }
@@ -95,15 +99,17 @@ impl QuadricForm for Paraboloid {
     const TAG: u8 = 6;
 
     fn max_radius(&self, height: Length) -> Option<Length> {
-        // Q28 -> Q56
+        // The growth is shifted from Q28 to Q56.
         let growth = (i64::from(height.to_bits()) << 28) >> self.g_log2;
         let scaled = square_root((self.radius_squared.to_bits() + growth) as u64);
         let radius = i64::from(scaled) << self.shift;
         i32::try_from(radius).ok().map(Length::from_bits)
     }
 
-    /// With `w = o × d` the discriminant is
-    /// `r² |d|² + (g dy / 2)² + g (dx w_z - dz w_x) - w_y²`, where |d| is without dy.
+    /// Returns the equation of a ray and the paraboloid `x² + z² = g y + r²`. For the scaled
+    /// origin o, the scaled direction d and `w = o × d`, the discriminant is
+    ///
+    /// `r² (d_x² + d_z²) + (g d_y / 2)² + g (w_x d_z - w_z d_x) - w_y²`.
     fn quadratic(&self, offset: Vec3<Length>, direction: Vec3<Unit>, _: u8) -> Quadratic {
         let (shift, g_log2, g) = (u32::from(self.shift), u32::from(self.g_log2), self.g());
         let o = Vec3::new(offset.x >> shift, offset.y, offset.z >> shift);
@@ -112,11 +118,12 @@ impl QuadricForm for Paraboloid {
         let radius_squared = self.radius_squared.to_bits();
         let reach = upper_product(radius_squared as u64, a as u64, 4) as i64;
         let w = moment(o, d);
-        // g d.y / 2: Q30 * Q31 -> Q61 -> Q58, and its square: Q60 -> Q56
+        // `rise` is g d.y / 2. The product of Q30 and Q31 has Q61 and is shifted to Q58. The
+        // square of `rise` is shifted from Q60 to Q56.
         let rise = d.y.to_bits().product(g) >> 4;
         let rise_squared = (d.y.square().to_bits() >> 6) >> (2 * g_log2).min(63);
-        // Q28 * Q30 -> Q58 -> Q56. The cross product has the sign w_z = o.x d.y - o.y d.x,
-        // the opposite of the formula's.
+        // `lean` is the term g (w.x d.z - w.z d.x). The products of Q28 and Q30 have Q58 and
+        // are shifted to Q56.
         let lean = (w.x.product(d.z) - w.z.product(d.x)).to_bits() >> 2 >> g_log2;
         Quadratic {
             a,
@@ -130,7 +137,7 @@ impl QuadricForm for Paraboloid {
 
     fn gradient(&self, offset: Vec3<Length>, _: u8) -> Vec3<i64> {
         let shift = 2 * u32::from(self.shift);
-        // Q32, for the sake of the last bits of g.
+        // The gradient has Q32, to keep the last bits of g.
         let radial = |c: Length| c.to_bits().product(16_i32 >> shift);
         Vec3::new(radial(offset.x), -i64::from(self.g()), radial(offset.z))
     }

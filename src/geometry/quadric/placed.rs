@@ -9,10 +9,10 @@ pub(in super::super) struct Placed<F> {
 }
 
 impl<F> Placed<F> {
-    /// Places a form that is clamped to an interval of y above its origin.
+    /// Places a form that is clamped to the interval `y` above `origin`.
     ///
-    /// Coordinates count from the middle of the interval, so a clamp far from the origin is
-    /// as exact as any other.
+    /// The center is in the middle of the interval, so a clamp far from the origin loses no
+    /// precision.
     pub(super) fn clamped(
         origin: Vec3<Real>,
         y: [Real; 2],
@@ -31,7 +31,7 @@ impl<F> Placed<F> {
     }
 }
 
-/// Middle of an interval, rounded down.
+/// Returns the middle of an interval, rounded down.
 pub(super) fn middle([low, high]: [Real; 2]) -> Real {
     Real::from_bits((low.to_bits() + high.to_bits()) >> 1)
 }

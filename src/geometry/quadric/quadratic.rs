@@ -2,26 +2,28 @@ use crate::math::{
     Length, Product, SoftFloat, Unit, Vec3, inverse_length_outlined, quotient, rounded, wide,
 };
 
-/// `a t² + 2 b t + c = 0`: the equation of a ray and a quadric whose implicit function is
-/// positive outside.
+/// The quadratic equation `a t² + 2 b t + c = 0`. Its roots t are the distances at which a ray
+/// hits a quadric. The implicit function of the quadric is positive outside.
 #[derive(Clone, Copy, Debug)]
 pub(in super::super) struct Quadratic {
-    /// Q60, within ±1.
+    /// Coefficient of t², in Q60, within ±1.
     pub(super) a: i64,
-    /// Q58.
+    /// Half of the coefficient of t, in Q58.
     pub(super) b: i64,
-    /// Q56.
+    /// Constant term, in Q56.
     pub(super) c: i64,
-    /// `b² - a c`, Q56, computed without that difference.
+    /// The value of `b² - a c`, in Q56. It is computed from another formula, because this
+    /// difference loses bits.
     pub(super) discriminant: i64,
 }
 
 impl Quadratic {
-    /// Returns the positive roots, in no order, in steps of 2^-28.
+    /// Returns the positive roots in units of 2^-28, in no particular order.
     ///
-    /// The sum `-b ± sqrt(b² - a c)` that cannot cancel gives one root as `sum / a` and the
-    /// other as `c / sum`. This also holds where a is nearly 0: for a ray along the side of a
-    /// cone or the axis of a cylinder (Press and others, Numerical Recipes, section 5.6).
+    /// Of the two sums `-b ± sqrt(b² - a c)`, the one that cannot cancel gives both roots: one
+    /// is `sum / a`, the other `c / sum`. The formula also holds if a is nearly 0, as for a ray
+    /// along the side of a cone or the axis of a cylinder (Press and others, Numerical Recipes,
+    /// section 5.6).
     pub(super) fn roots(&self) -> [Option<SoftFloat>; 2] {
         let &Self {
             a,
@@ -29,7 +31,7 @@ impl Quadratic {
             c,
             discriminant,
         } = self;
-        // Coefficients of one sign: the ray moves away from the surface.
+        // If all coefficients have one sign, the ray moves away from the surface.
         if discriminant < 0 || (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0) {
             return [None, None];
         }
@@ -42,11 +44,12 @@ impl Quadratic {
         [ratio(sum, a), ratio(c, sum)]
     }
 
-    /// Returns the other root of a ray that starts on the surface, where c is 0.
+    /// Returns the root other than 0 for a ray that starts on the surface, where c is 0.
     ///
     /// A ray through the inside always has another root, except within a cone, where a may be
-    /// negative. If rounding makes a grazing ray seem to leave, the ray hits the surface at
-    /// once. A ray on the outside can only hit a double cone again, where a is negative, too.
+    /// negative. If rounding makes a grazing ray seem to leave the inside, the ray hits the
+    /// surface at once. A ray on the outside can hit the surface again only on a double cone,
+    /// where a is negative, too.
     pub(super) fn other_root(&self, is_inside: bool) -> Option<SoftFloat> {
         if self.a < 0 {
             return ratio(-2 * self.b, self.a);
@@ -55,27 +58,26 @@ impl Quadratic {
     }
 }
 
-/// `o × d`: the moment of the line through o along d (Plücker).
-#[inline(never)]
+/// Returns `o × d`, the moment of the line through the point o in the direction d (Plücker).
 pub(super) fn moment(o: Vec3<Length>, d: Vec3<Unit>) -> Vec3<Length> {
     o.cross(d)
 }
 
-/// Scales each component of a vector of any steps by a factor, rounded.
-#[inline(never)]
+/// Multiplies each component of a vector by a factor of its own, rounded. The vector may be in
+/// any unit.
 pub(super) fn scaled_by_axis(v: Vec3<i32>, factors: Vec3<Unit>) -> Vec3<i32> {
     v.zip(factors, |c, k| rounded::<30>(c.product(k.to_bits())))
 }
 
-/// Square root: Q56 -> Q58.
+/// Returns the square root of a number in Q56. The root has Q58.
 fn root(square: u64) -> i64 {
     let inverse = inverse_length_outlined(square);
-    // Q63 in [1/2, 1), times 2^(32 - half_shift) in steps of 2^-28
+    // The product is a Q63 number in [1/2, 1). Multiplied by 2^(32 - half_shift), it is the
+    // root in units of 2^-28.
     (wide(inverse.normalized, inverse.inverse) >> (1 + inverse.half_shift)) as i64
 }
 
-/// Returns `2^30 n / d` if that is positive.
-#[inline(never)]
+/// Returns `2^30 n / d`, or `None` if the quotient is not positive.
 fn ratio(n: i64, d: i64) -> Option<SoftFloat> {
     if n == 0 || d == 0 || (n < 0) != (d < 0) {
         return None;

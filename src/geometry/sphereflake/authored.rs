@@ -18,12 +18,13 @@ pub(in super::super) struct Authored {
 }
 
 impl Authored {
-    /// The ratio, which is below 1.
+    /// Returns the radius of a sphere divided by that of its parent, which is below 1.
     fn ratio(&self) -> U0F32 {
         U0F32::from_bits(self.ratio.to_bits() as u32)
     }
 
-    /// Checks that the smallest spheres are as large as any size must be.
+    /// Checks that the smallest spheres of the flake are not below the smallest size that the
+    /// scene resolves.
     fn check_smallest_spheres(
         &self,
         normalization: &Normalization,
@@ -91,10 +92,10 @@ impl AuthoredShape for Authored {
     }
 }
 
-/// Returns u and v of a frame, made exactly orthonormal; `None` if the rows are not nearly
-/// orthonormal and right-handed.
+/// Returns the axes u and v of a frame, made exactly orthonormal. Returns `None` if the three
+/// rows of the frame are not nearly orthonormal and right-handed.
 fn orthonormal([u, v, w]: [Vec3<Real>; 3]) -> Option<[Vec3<Unit>; 2]> {
-    /// Rows may be written with three digits.
+    /// Tolerance for rows that are written with three digits.
     const MARGIN: Real = Real::lit("0.001");
     let product = |a: Vec3<Real>, b: Vec3<Real>| {
         let sum = a.zip(b, Real::saturating_mul);
@@ -108,7 +109,8 @@ fn orthonormal([u, v, w]: [Vec3<Real>; 3]) -> Option<[Vec3<Unit>; 2]> {
     let [u, v, w] = [u, v, w].map(|row| direction(row.map(Real::to_bits)));
     let (u, v, w) = (u?, v?, w?);
     let exact_w = direction(u.cross(v))?;
-    // Within some thousandths of the row itself.
+    // The exact axis w must be close to the given row: the dot product of the two must be at
+    // least 1 - 2^-6.
     if exact_w.dot(w).to_bits() < (1 << 60) - (1 << 50) * 16 {
         return None;
     }

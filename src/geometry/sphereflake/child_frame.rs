@@ -1,37 +1,41 @@
 //! The directions and frames of the twelve children of a sphere.
 //!
-//! The directions are those of a cuboctahedron: six around the equator, three above it, and
-//! the opposites of these three below it.
+//! The directions point to the vertices of a cuboctahedron: six are around the equator, three
+//! are above the equator, and three opposite ones are below it.
 
 use crate::math::{Product, Unit, Vec3, high};
 
 /// The smallest rotation from the parent's axis w to the direction a of a child.
 ///
-/// The rotation takes u to `u - a.u / (1 + a.w) (w + a)`, and v likewise. Its matrix is
-/// symmetric, except for the last row and column, which are a and -a.
+/// The axes of the parent are u, v and w. The rotation takes u to
+/// `u - a.u / (1 + a.w) (w + a)`, and v likewise. Its matrix is symmetric, except for the last
+/// row and column, which are a and -a.
 #[derive(Clone, Copy)]
 struct ChildFrame {
     axis: Vec3<Unit>,
-    /// `1 - a.u² / (1 + a.w)`, `1 - a.v² / (1 + a.w)`, `-a.u a.v / (1 + a.w)`.
+    /// Three elements of the rotation matrix, for the direction a of the child: `u` is
+    /// `1 - a.u² / (1 + a.w)`, `v` is `1 - a.v² / (1 + a.w)`, and `uv` is
+    /// `-a.u a.v / (1 + a.w)`.
     u: Unit,
     v: Unit,
     uv: Unit,
 }
 
-/// sqrt(3/4).
+/// sqrt(3/4), the sine of the angle of 60° between neighbors on the equator.
 pub(super) const EQUATOR: Unit = Unit::lit("0.866025403784438646763723");
-/// sqrt(1/12): half the cosine of the elevation, atan(sqrt 2).
+/// sqrt(1/12), half the cosine of the elevation of the upper children, which is atan(sqrt 2).
 pub(super) const HALF_COSINE: Unit = Unit::lit("0.288675134594812882254575");
-/// sqrt(2/3), the sine of the elevation.
+/// sqrt(2/3), the sine of the elevation of the upper children.
 pub(super) const ELEVATION: Unit = Unit::lit("0.816496580927726032732428");
 
-/// Frames by the number of the child, 1 to 12. The other entries are not used.
+/// Frames of the children, indexed by the number of the child, 1 to 12. The other entries are
+/// not used.
 static FRAMES: [ChildFrame; 16] = {
     const fn unit(bits: i64) -> Unit {
         Unit::from_bits(bits as i32)
     }
     const fn frame(x: i64, y: i64, z: i64) -> ChildFrame {
-        // Q60 / Q30 -> Q30, rounded
+        // Q60 divided by Q30 gives Q30, which is rounded.
         const fn quotient(product: i64, z: i64) -> i64 {
             let whole = (1 << 30) + z;
             (product + product.signum() * whole / 2) / whole
@@ -68,27 +72,25 @@ static FRAMES: [ChildFrame; 16] = {
     ]
 };
 
-#[inline(always)]
 fn frame(child: u32) -> &'static ChildFrame {
-    // A path has four bits per child. The mask removes the bounds check.
+    // The number of a child has four bits in a path. The mask lets the compiler omit the bounds
+    // check.
     &FRAMES[child as usize & 15]
 }
 
-/// Unit vector from a sphere to its child.
-#[inline(always)]
+/// Returns the unit vector from a sphere to its child.
 pub(super) fn axis(child: u32) -> Vec3<Unit> {
     frame(child).axis
 }
 
-/// Sum of three products Q * Q30, less two bits.
-#[inline(always)]
+/// Returns the sum of three products with a Q30 factor, in the format of the other factor. The
+/// lowest two bits of the result are zero.
 fn sum([x, y, z]: [(i32, Unit); 3]) -> i32 {
     let product = |(c, factor): (i32, Unit)| c.product(factor.to_bits());
     high(product(x) + product(y) + product(z)) << 2
 }
 
-/// Rotates a vector of any steps from the parent's frame to the child's.
-#[inline(always)]
+/// Rotates a vector from the parent's frame to the child's. The vector may be in any unit.
 pub(super) fn to_child(Vec3 { x, y, z }: Vec3<i32>, child: u32) -> Vec3<i32> {
     let ChildFrame { axis, u, v, uv } = *frame(child);
     Vec3::new(
@@ -98,7 +100,7 @@ pub(super) fn to_child(Vec3 { x, y, z }: Vec3<i32>, child: u32) -> Vec3<i32> {
     )
 }
 
-/// Rotates a vector of any steps from the child's frame to the parent's.
+/// Rotates a vector from the child's frame to the parent's. The vector may be in any unit.
 #[inline]
 pub(super) fn to_parent(Vec3 { x, y, z }: Vec3<i32>, child: u32) -> Vec3<i32> {
     let ChildFrame { axis, u, v, uv } = *frame(child);

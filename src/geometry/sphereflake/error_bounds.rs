@@ -1,4 +1,4 @@
-//! Error bounds of the sphereflake.
+//! Tests of the error bounds of the sphereflake.
 
 #![cfg(test)]
 
@@ -12,9 +12,10 @@ use crate::tests::random;
 
 const CASES: usize = 200_000;
 
-/// Computes center and radius of one sphere of an upright sphereflake in double precision.
+/// Computes the center and the radius of one sphere of an upright sphereflake in double
+/// precision.
 ///
-/// Each four bits of `path`, lowest first, are the number of a child, from 1.
+/// Each group of four bits in `path`, lowest first, is the number of a child, from 1 to 12.
 fn center_of(path: u32, radius: f64, ratio: f64) -> (Floats, f64) {
     let mut frame = [
         Vec3::new(1.0, 0.0, 0.0),

@@ -6,14 +6,15 @@ use super::super::valid;
 use super::child_frame::{ELEVATION, HALF_COSINE};
 use crate::math::{Length, Product, Unit, Vec3, reciprocal_outlined, round_unit, wide};
 
-/// A length in radii of a sphere: ±4 in steps of 2^-29.
+/// A length in radii of a sphere, within ±4 and in units of 2^-29.
 pub(super) type Radii = I3F29;
 
-/// Largest number of generations of smaller spheres.
+/// Largest number of generations of spheres below the root sphere.
 pub(crate) const MAX_DEPTH: u8 = 8;
 
-/// A sphere of the flake: four bits per generation, from the first one, for the child, 1 to
-/// 12. The root sphere is 0.
+/// The path from the root sphere to a sphere of the flake. Each generation has four bits, which
+/// are the number of the child, 1 to 12. The first generation has the lowest four bits. The
+/// root sphere has the path 0.
 pub(super) type NodePath = u32;
 
 /// The independent parameters of a sphereflake.
@@ -22,11 +23,11 @@ pub(super) struct SphereflakeParams {
     pub(super) center: Vec3<Length>,
     /// Axes u and v of the root sphere; w is their cross product.
     pub(super) frame: [Vec3<Unit>; 2],
-    /// Radius of the root sphere, such that the whole flake is within ±1.
+    /// Radius of the root sphere. It is so small that the whole flake is within ±1.
     pub(super) radius: U0F32,
     /// Radius of a sphere divided by that of its parent: 0.1 to 0.5.
     pub(super) ratio: U0F32,
-    /// Number of generations, at most [`MAX_DEPTH`].
+    /// Number of generations below the root sphere, at most [`MAX_DEPTH`].
     pub(super) depth: u8,
 }
 
@@ -45,7 +46,7 @@ impl SphereflakeParams {
             && self.reach() <= 1 << 61
     }
 
-    /// Radius of the bounding sphere, Q61.
+    /// Returns the radius of the flake's bounding sphere, Q61.
     fn reach(&self) -> u64 {
         let bound = bounding_radius(self.ratio, self.depth);
         wide(self.radius.to_bits(), bound.to_bits() as u32)
@@ -65,18 +66,20 @@ pub(crate) struct Sphereflake {
     /// Axes u, v and w of the root sphere.
     axes: Vec3<Vec3<Unit>>,
     pub(super) radius: U0F32,
-    /// True if u, v and w are x, -z and y.
+    /// True if the axes u, v and w are x, -z and y.
     is_upright: bool,
-    /// `1 / (radius * 2^n)`, with n such that the quotient is 1 to 2.
+    /// Scaled reciprocal of the radius, `1 / (radius * 2^n)`. The integer n is such that the
+    /// value is between 1 and 2.
     pub(super) inverse_radius: Unit,
     pub(super) ratio: U0F32,
-    /// `1 / (ratio * 2^shift)`: 1 to 2.
+    /// Scaled reciprocal of the ratio, `1 / (ratio * 2^shift)`, between 1 and 2.
     pub(super) inverse_ratio: Unit,
     pub(super) shift: u8,
-    /// Distance from a sphere's center to its child's, in radii: 1.1 to 1.5.
+    /// Distance from the center of a sphere to the center of its child, in radii of the sphere:
+    /// 1.1 to 1.5.
     pub(super) step: Unit,
-    /// Distance from a child's center to its parent's, in radii of the child, negative and
-    /// divided by 2^shift: `-(1 / ratio + 1)`.
+    /// Distance from the center of a child to the center of its parent, as a negative number:
+    /// `-(1 / ratio + 1)` radii of the child, divided by 2^shift.
     pub(super) back: Radii,
     pub(super) steps: Steps,
     /// Radius of the bounding sphere, in radii of the root sphere.
@@ -97,7 +100,7 @@ impl Sphereflake {
         let [u, v] = frame;
         let w = u.cross(v).map(round_unit::<30>);
         let inverse_ratio = inverse(ratio);
-        // Q30 -> Q29
+        // The reciprocal is shifted from Q30 to Q29. In Q29, `one` is 2^-shift.
         let one = (1_i32 << 29).unbounded_shr(ratio.leading_zeros());
         let back = (inverse_ratio.to_bits() >> 1) + one;
         let step = Unit::from_bits((1 << 30) + ((ratio.to_bits() >> 1).div_ceil(2)) as i32);
@@ -129,22 +132,20 @@ impl Sphereflake {
         }
     }
 
-    /// Radius of the bounding sphere, rounded up.
+    /// Returns the radius of the flake's bounding sphere, rounded up.
     pub(super) fn reach(&self) -> Length {
-        // U0F32 * Q29 -> Q61 -> Q28
+        // The product of `U0F32` and Q29 has Q61 and is shifted to Q28.
         let reach = self.radius.to_bits().product(self.bound.to_bits() as u32);
         Length::from_bits((reach >> 33) as i32 + 1)
     }
 
-    /// [`Self::step`] in 16 bits.
-    #[inline(always)]
+    /// Returns [`Self::step`] rounded to 16 bits.
     pub(super) fn step_u16(&self) -> U1F15 {
         U1F15::from_bits(((self.step.to_bits() + (1 << 14)) >> 15) as u16)
     }
 
-    /// Converts a vector of the scene to the frame of the root sphere; `along` computes a
-    /// dot product with an axis.
-    #[inline(always)]
+    /// Converts a vector from the frame of the scene to the frame of the root sphere. `along`
+    /// computes the dot product of a vector with an axis.
     pub(super) fn world_to_local<T: Copy + Neg<Output = T>>(
         &self,
         v: Vec3<T>,
@@ -156,8 +157,7 @@ impl Sphereflake {
         self.axes.map(|axis| along(v, axis))
     }
 
-    /// Converts a unit vector of the root sphere's frame to the scene.
-    #[inline(always)]
+    /// Converts a unit vector from the frame of the root sphere to the frame of the scene.
     pub(super) fn local_to_world(&self, Vec3 { x, y, z }: Vec3<Unit>) -> Vec3<Unit> {
         if self.is_upright {
             return Vec3::new(x, z, -y);
@@ -172,8 +172,9 @@ impl Sphereflake {
     }
 }
 
-/// Radius of the bounding sphere of a flake, in radii, rounded up: the center of a child is
-/// `1 + ratio` away, and the children's own subtrees reach as far in their radii.
+/// Returns the radius of the bounding sphere of a flake, in radii of its root sphere, rounded
+/// up. The center of a child is `1 + ratio` away, and the bound of the child's subtree, in
+/// radii of the child, is that of a flake with one generation less.
 #[inline(never)]
 pub(super) fn bounding_radius(ratio: U0F32, depth: u8) -> Radii {
     let ratio = u64::from(ratio.to_bits());
@@ -181,14 +182,16 @@ pub(super) fn bounding_radius(ratio: U0F32, depth: u8) -> Radii {
     Radii::from_bits((bound as i32 + 1) << 1)
 }
 
-/// Bound of a sphere from that of its children, U4F28. Out of line, or the loop over the
-/// generations is unrolled.
+/// Returns the bounding radius of a subtree in radii of its top sphere, given the bounding
+/// radius of the children's subtrees in their own radii, U4F28. Kept out of line: otherwise the
+/// compiler unrolls the loop over the generations.
 #[inline(never)]
 fn parent_bound(child: u64, ratio: u64) -> u64 {
     (1 << 28) + (ratio >> 4) + ((ratio * child) >> 32) + 2
 }
 
-/// `1 / (x * 2^n)`, with n such that the quotient is 1 to 2.
+/// Returns the scaled reciprocal `1 / (x * 2^n)`. The integer n is such that the result is
+/// between 1 and 2.
 #[inline(never)]
 fn inverse(x: U0F32) -> Unit {
     let mantissa = x.to_bits().wrapping_shl(x.leading_zeros()) | 1 << 31;
@@ -196,8 +199,8 @@ fn inverse(x: U0F32) -> Unit {
     Unit::from_bits(half.min(i32::MAX as u32) as i32)
 }
 
-/// The components of the vectors from a sphere to its children, which are `1 + ratio` long,
-/// in 16 bits. The length itself is kept apart.
+/// Components of the vectors from a sphere to its children, in 16 bits. The vectors are
+/// `1 + ratio` long; this length is stored in a field of the flake.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Steps {
     half_cosine: U1F15,
@@ -206,7 +209,7 @@ pub(super) struct Steps {
 
 impl Steps {
     fn new(step: Unit) -> Self {
-        // Q30 * Q30 -> Q60 -> Q15, rounded
+        // The product of two Q30 numbers has Q60 and is rounded to Q15.
         let part =
             |k: Unit| U1F15::from_bits(((step.product(k).to_bits() + (1 << 44)) >> 45) as u16);
         Self {
@@ -215,9 +218,10 @@ impl Steps {
         }
     }
 
-    /// Dot products of a 16-bit vector with the vectors to the first six children, Q15,
-    /// shifted right. The other six are their opposites.
-    #[inline(always)]
+    /// Returns the dot products of a 16-bit vector with the vectors to the first six children.
+    /// The components of the vectors to the children have Q15, and each product is shifted
+    /// right by `shift`. The dot products for the other six children are the negatives of
+    /// these.
     pub(super) fn dots(&self, step: U1F15, v: Vec3<i32>, shift: u32) -> [i32; 6] {
         let part = |c: i32, k: U1F15| (c * i32::from(k.to_bits())) >> shift;
         let x = part(v.x, step);

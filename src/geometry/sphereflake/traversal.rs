@@ -6,21 +6,21 @@ use super::node::Node;
 use super::parameters::{MAX_DEPTH, NodePath, Sphereflake};
 use crate::math::{high, upper_word};
 
-/// The traversal of the tree of spheres by a ray, nearer children first.
+/// A traversal of the tree of spheres by a ray. It visits nearer children first.
 ///
-/// The lists are borrowed, so that constructing a traversal does not zero them.
+/// The two lists are borrowed, so that constructing a traversal does not zero them.
 pub(super) struct Traversal<'w> {
     pub(super) flake: &'w Sphereflake,
     pub(super) nodes: &'w mut NodeStack,
     pub(super) pending: &'w mut PendingChildren,
     pub(super) query: Query,
-    /// Sphere that the ray starts on, which is not a hit.
+    /// Path of the sphere that the ray starts on, which does not count as a hit.
     pub(super) origin: NodePath,
-    /// Largest distance of interest, in steps of a `Length`.
+    /// Largest distance of interest, in units of 2^-28.
     pub(super) t_max: i32,
 }
 
-/// Result that a traversal computes.
+/// The result that a traversal computes.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Query {
     /// The nearest hit.
@@ -33,31 +33,34 @@ pub(super) enum Query {
     Origin,
 }
 
-/// Nodes from the root sphere to the current one.
+/// Stack of nodes, from the root sphere to the current sphere.
 pub(super) type NodeStack = Vec<Node, { MAX_DEPTH as usize + 1 }>;
 
-/// Children that are still to be visited, nearest last: up to twelve of the deepest level, and
-/// eleven of each level above it.
+/// Children that are still to be visited, nearest last. The list has up to twelve children of
+/// the deepest level and up to eleven of each level above it.
 pub(super) type PendingChildren = Vec<i32, { 11 * MAX_DEPTH as usize + 1 }>;
 
-/// Children whose bounding sphere the line may cross.
+/// Children whose bounding sphere the line of a ray may cross.
 ///
-/// The upper 16 bits of an entry are the distance from the parent's foot to the child's, Q14
-/// in radii. The lower bits are the level of the parent and the number of the child, four bits
-/// each.
+/// A foot is the point of the line that is nearest to the center of a sphere. The upper 16 bits
+/// of an entry are the distance from the parent's foot to the child's foot, in radii of the
+/// parent, Q14. The lower bits are the level of the parent and the number of the child, four
+/// bits each.
 type Candidates = Vec<i32, 12>;
 
-/// Set if the line is certain to cross the child's sphere itself.
+/// Flag of a child whose sphere the line is certain to cross. The line of other candidates may
+/// only cross the bounding sphere of the child's subtree.
 const CERTAIN: i32 = 1 << 8;
 
-/// Error bound of squares computed with 16-bit factors: 34 * 2^-14, Q27.
+/// Error bound of squares that are computed with 16-bit factors: 34 * 2^-14, in Q27.
 const SQUARE_MARGIN: i32 = 34 << 13;
-/// Error bound of the distance between feet computed with 16-bit factors: 7 * 2^-14, Q29.
+/// Error bound of the distance from a parent's foot to a child's foot, which is computed with
+/// 16-bit factors: 7 * 2^-14, in Q29.
 const FARTHER_MARGIN: i32 = 7 << 15;
 
 impl Traversal<'_> {
-    /// Advances to the nearest pending child of the deepest level that has one. Returns `None`
-    /// if no child is left.
+    /// Moves to the nearest pending child of the deepest level that has one. Returns `None` if
+    /// no child is pending.
     pub(super) fn advance(&mut self) -> Option<()> {
         loop {
             let next = self.pending.pop()?;
@@ -72,8 +75,9 @@ impl Traversal<'_> {
         }
     }
 
-    /// Adds the children whose bounding sphere the ray crosses before `t_max` to the pending
-    /// ones. Returns true if the query asks for any hit and a child is certain to be hit.
+    /// Adds the children whose bounding sphere the ray crosses before `t_max` to the list of
+    /// pending children. Returns true if the query asks for any hit and a child is certain to
+    /// be hit.
     pub(super) fn descend(&mut self, foot_squared: i64) -> bool {
         let level = self.nodes.len() as u32 - 1;
         if level >= u32::from(self.flake.depth) {
@@ -113,10 +117,11 @@ impl Traversal<'_> {
     }
 }
 
-/// Inserts a child into the part of the list from `first` on, which is in falling order.
+/// Inserts a child into the part of the list that starts at the index `first`. That part is
+/// sorted in descending order.
 fn insert(pending: &mut PendingChildren, first: usize, child: i32) {
     let is_only = pending.len() == first;
-    // The capacity suffices for every tree.
+    // The push cannot fail, because the capacity suffices for every tree.
     let _ = pending.push(child);
     if is_only {
         return;
@@ -134,27 +139,29 @@ fn insert(pending: &mut PendingChildren, first: usize, child: i32) {
     }
 }
 
-/// Distance from the ray's origin to a child's foot, in steps of a `Length`.
+/// Returns the distance from the ray's origin to a child's foot, in units of 2^-28. The foot is
+/// the point of the ray nearest to the center of the child.
 #[inline(always)]
 fn foot_distance(parent: &Node, candidate: i32) -> i32 {
-    // Q30 * Q31 -> Q61 -> Q29 -> Q28
+    // The upper word of the product of Q30 and Q31 has Q29, which is shifted to Q28.
     high(parent.distance) + (upper_word(candidate, parent.radius.to_bits()) >> 1)
 }
 
-/// Distance that a child's subtree reaches from the child's foot, in steps of a `Length`,
-/// rounded up.
+/// Returns the distance along the ray that a child's subtree reaches from the child's foot, in
+/// units of 2^-28, rounded up.
 #[inline(always)]
 fn child_reach(parent: &Node, flake: &Sphereflake) -> i32 {
     let bound = parent.child_bound(flake).to_bits() + FARTHER_MARGIN;
-    // Q29 * Q31 -> Q60 -> Q28
+    // The product of Q29 and Q31 has Q60; its upper word has Q28.
     upper_word(bound, parent.radius.to_bits()) + 3
 }
 
-/// Finds the children whose bounding sphere the line may cross, with 16-bit factors.
+/// Finds the children whose bounding sphere the line of a ray may cross, with 16-bit factors.
 ///
-/// With the child direction a, `step = 1 + ratio` and `b = step d·a`, the squared distance of
-/// the child's center from the line is `l² + step² - 2 step l·a - b²`. Children are six pairs
-/// of opposites, and the dot products share their terms.
+/// Let l be the foot, d the direction of the ray, a the direction of the child,
+/// `step = 1 + ratio` and `b = step d·a`. The squared distance of the child's center from the
+/// line is `l² + step² - 2 step l·a - b²`. The children are six pairs of opposites, and the two
+/// children of a pair share their dot products.
 #[inline(always)]
 fn find_candidates(
     node: &Node,
@@ -163,20 +170,23 @@ fn find_candidates(
     candidates: &mut Candidates,
 ) {
     let (steps, step) = (&flake.steps, flake.step_u16());
-    // Q15 -> Q30 -> Q27
+    // The square of a Q15 number has Q30 and is shifted to Q27.
     let square = |c: u32| ((c * c) >> 3) as i32;
-    // Q26 -> Q27
+    // The squared length of the foot is shifted from Q26 to Q27.
     let squares = (foot_squared << 1) + square(step.to_bits().into());
     let bound = (node.child_bound(flake).to_bits() >> 14) as u32 + 1;
     let least = squares - square(bound) - SQUARE_MARGIN;
     let certain = squares - square(flake.ratio.to_bits() >> 17) + SQUARE_MARGIN;
-    // Q30 -> Q14 -> Q29 -> Q14; Q29 -> Q13 -> Q28, and so twice of it in Q27.
+    // The direction is shifted from Q30 to Q14; its products with Q15 have Q29 and are shifted
+    // to Q14. The foot is shifted from Q29 to Q13; its products have Q28, which is twice the
+    // dot product in Q27.
     let farther = steps.dots(step, node.direction.map(|c| c.to_bits() >> 16), 15);
     let nearer = steps.dots(step, node.foot.map(|c| c.to_bits() >> 16), 0);
     for ((pair, farther), nearer) in (1..).zip(farther).zip(nearer) {
-        // Q14 -> Q28 -> Q27
+        // The square of a Q14 number has Q28 and is shifted to Q27.
         let square = (farther * farther) >> 1;
-        // Off by at most one step, which the margin includes.
+        // The complement of a negative number replaces its magnitude. It is off by one unit at
+        // most, which the margin includes.
         let sign = nearer >> 31;
         let nearer = nearer ^ sign;
         if square + nearer < least {
@@ -204,7 +214,8 @@ mod tests {
     use super::*;
     use crate::math::{Length, Unit, Vec3, direction, high};
 
-    /// Checks the figure in docs/fixed-point.md; targets with short pointers need less.
+    /// Checks the memory figure in docs/fixed-point.md. Targets with short pointers need less
+    /// memory.
     #[test]
     fn traversal_memory_is_as_documented() {
         let size = size_of::<NodeStack>() + size_of::<PendingChildren>();
@@ -224,7 +235,7 @@ mod tests {
         })
     }
 
-    /// A random line through the bounding sphere.
+    /// Returns a random line through the bounding sphere of a flake.
     fn line(flake: &Sphereflake, random: &mut fastrand::Rng) -> Option<Node> {
         let mut component = || random.i64(-(1 << 30)..1 << 30);
         let along = direction(Vec3::new(component(), component(), component()))?;
@@ -241,7 +252,8 @@ mod tests {
         })
     }
 
-    /// Checks that no child is missed, and that children marked as certain are hit.
+    /// Checks that the search with 16-bit factors misses no child, and that a line hits every
+    /// child that is marked as certain.
     #[test]
     fn sixteen_bit_factors_find_all_children() {
         let mut random = fastrand::Rng::with_seed(1);
@@ -299,7 +311,7 @@ mod tests {
         }
         let [found, met, certain] = seen;
         assert!(met > 100_000 && certain > 10_000, "{seen:?}");
-        // Few children are visited without a hit.
+        // The search finds at most 5 % more children than the lines cross.
         assert!(found < met + met / 20, "{seen:?}");
     }
 }

@@ -5,13 +5,15 @@ use heapless::VecView;
 use crate::geometry::CullSphere;
 use crate::prepare::Object;
 
-/// Number of neighboring objects that share a bounding sphere.
+/// Number of neighboring objects that share one bounding sphere.
 pub(crate) const GROUP: usize = 8;
 
-/// Up to this many bounded objects are tested one by one, because so few do not repay groups.
+/// Greatest number of bounded objects that are tested one by one. Groups only pay off in larger
+/// scenes.
 pub(crate) const SMALL_SCENE: usize = 2 * GROUP;
 
-/// Lists the bounded and the unbounded objects, and the groups of the bounded ones.
+/// Fills the lists of bounded objects, of unbounded objects, and of the groups of bounded
+/// objects.
 pub(in crate::prepare) fn list_objects(
     objects: &[Object],
     bounded: &mut VecView<CullSphere>,
@@ -20,7 +22,7 @@ pub(in crate::prepare) fn list_objects(
 ) {
     bounded.clear();
     unbounded.clear();
-    // Every list has the capacity of the list of objects, so no push fails.
+    // Each of these lists has the capacity of the list of objects, so no push fails.
     for (object, index) in objects.iter().zip(0..) {
         let Some(bound) = object.shape.bounding_sphere() else {
             let _ = unbounded.push(index);
@@ -37,8 +39,8 @@ pub(in crate::prepare) fn list_objects(
     }
 }
 
-/// Sorts spheres so that each group consists of its first sphere and that sphere's nearest
-/// neighbors.
+/// Sorts spheres into groups: each group consists of its first sphere and the nearest neighbors
+/// of that sphere.
 fn group_neighbors(mut spheres: &mut [CullSphere]) {
     let Some(mut first) = spheres.first().copied() else {
         return;

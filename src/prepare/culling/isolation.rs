@@ -1,8 +1,8 @@
 use crate::geometry::{SurfaceFlags, Texture};
 use crate::prepare::{Material, Object};
 
-/// Marks transparent spheres that no other object reaches into: a ray inside of one needs no
-/// other test.
+/// Marks each transparent sphere that no other object touches or enters. A ray inside such a
+/// sphere needs to be tested against this sphere only.
 pub(in crate::prepare) fn mark_isolated(objects: &mut [Object], materials: &[Material]) {
     let transmits = |index: u16| {
         let material = materials.get(usize::from(index));

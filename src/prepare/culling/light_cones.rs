@@ -1,8 +1,8 @@
 use crate::geometry::LightCone;
 use crate::prepare::{Light, Object};
 
-/// Computes the cone of every bounded object as seen from every light, and marks the lights
-/// from which an unbounded object may occlude a bounded one.
+/// Computes a cone around each bounded object as seen from each light. Also marks the lights
+/// from which an unbounded object may occlude a bounded object.
 pub(in crate::prepare) fn build_light_cones(
     lights: &mut [Light],
     objects: &[Object],

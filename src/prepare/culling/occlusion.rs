@@ -2,8 +2,8 @@ use crate::geometry::{BoundingSphere, SurfaceFlags};
 use crate::math::{Length, Product, Square, Vec3, square_root};
 use crate::prepare::{Light, Object};
 
-/// Marks the spheres that nothing can occlude from a light: their points that face the light
-/// need no shadow ray.
+/// Marks each sphere that no object can occlude from a light. Points of such a sphere that face
+/// the light need no shadow ray.
 pub(in crate::prepare) fn mark_unoccluded(lights: &mut [Light], objects: &mut [Object]) {
     for (light, index) in lights.iter_mut().zip(0..) {
         light.unoccluded = SurfaceFlags::unoccluded_from(index);
@@ -16,7 +16,8 @@ pub(in crate::prepare) fn mark_unoccluded(lights: &mut [Light], objects: &mut [O
     }
 }
 
-/// Returns true if an object is a sphere that nothing can occlude from a light.
+/// Returns true if the object at `index` is a sphere and no other object can occlude it from
+/// the light.
 fn is_unoccluded(light: Vec3<Length>, objects: &[Object], index: usize) -> bool {
     let sphere = objects
         .get(index)
@@ -40,21 +41,21 @@ fn is_unoccluded(light: Vec3<Length>, objects: &[Object], index: usize) -> bool 
     })
 }
 
-/// A bounding sphere as seen from a point outside of it.
+/// A bounding sphere as seen from a point outside it.
 struct Silhouette {
     to_center: Vec3<Length>,
     radius: Length,
-    /// Length of the tangents from the point: the sphere's points that face the point are no
-    /// farther away.
+    /// Length of the tangents from the point to the sphere. All points of the sphere that can
+    /// be seen from the point are at most this far away.
     tangent: Length,
 }
 
 impl Silhouette {
-    /// `None` if the point is inside the sphere.
+    /// Returns `None` if the point is inside the sphere.
     fn new(point: Vec3<Length>, bound: &BoundingSphere) -> Option<Self> {
         let to_center = bound.center - point;
         let squared = to_center.squared() - bound.radius.square();
-        // Q56 -> Q28
+        // The squared length of the tangent has Q56, so the length has Q28.
         let tangent = || Length::from_bits(square_root(squared.to_bits() as u64) as i32);
         (squared > 0).then(|| Self {
             to_center,
@@ -63,14 +64,15 @@ impl Silhouette {
         })
     }
 
-    /// Returns true if this sphere may be in front of the points of another sphere that face
-    /// the light.
+    /// Returns true if this sphere may hide a part of the other sphere's side that faces the
+    /// light.
     ///
-    /// The spheres do not overlap if the angle between their centers is above the sum of the
-    /// half angles a and b that they fill. The cosines are compared, multiplied by both
-    /// distances: `cos(a + b) = cos a cos b - sin a sin b`.
+    /// Seen from the light, each sphere fills a cone. The half angles of the two cones are a
+    /// and b. The cones do not overlap if the angle between their axes is above a + b. The code
+    /// compares the cosines of these two angles, both multiplied by the distances of both
+    /// centers, and uses `cos(a + b) = cos a cos b - sin a sin b`.
     fn may_occlude(&self, sphere: &Self) -> bool {
-        /// More than all roundings.
+        /// Margin that exceeds the sum of all rounding errors.
         const MARGIN: Length = Length::lit("0.00001");
         let between = self.to_center.dot(sphere.to_center);
         let sum = self.tangent.product(sphere.tangent) - self.radius.product(sphere.radius);

@@ -24,7 +24,8 @@ fn floor(y: f64) -> Object {
 
 #[test]
 fn neighbors_share_a_group() {
-    // Three clusters, listed in turns.
+    // The objects form three clusters and are listed in turns: one from each cluster, then the
+    // next.
     let mut objects = [(); 3 * GROUP].map(|()| sphere(0.0, OPAQUE));
     for (number, object) in objects.iter_mut().enumerate() {
         let cluster = (number % 3) as f64 - 1.0;
@@ -49,7 +50,7 @@ fn neighbors_share_a_group() {
     assert!(seen.into_iter().all(|seen| seen));
 }
 
-/// Marks isolated objects.
+/// Marks isolated objects and returns which objects are marked.
 fn isolated<const N: usize>(mut objects: [Object; N]) -> [bool; N] {
     let glass = Material {
         kt: Color::new(Weight::ZERO, Weight::ZERO, Weight::DELTA),
@@ -63,7 +64,8 @@ fn isolated<const N: usize>(mut objects: [Object; N]) -> [bool; N] {
 fn glass_is_isolated_if_nothing_reaches_into_it() {
     let (left, right) = (sphere(-0.25, GLASS), sphere(0.251, GLASS));
     assert_eq!(isolated([left, right, floor(0.251)]), [true, true, false]);
-    // Touching, nested, cut, and opaque.
+    // The left sphere is not isolated if another object touches, encloses or cuts it, or if it
+    // is opaque.
     assert_eq!(isolated([left, sphere(0.25, GLASS)]), [false, false]);
     assert_eq!(isolated([left, sphere(-0.25, OPAQUE)]), [false, false]);
     assert_eq!(isolated([left, floor(0.25)]), [false, false]);
@@ -71,7 +73,8 @@ fn glass_is_isolated_if_nothing_reaches_into_it() {
     assert_eq!(isolated([sphere(0.0, OPAQUE)]), [false]);
 }
 
-/// Marks objects that nothing can occlude from a light on the x axis.
+/// Marks objects that nothing can occlude from a light at `x` on the x axis, and returns which
+/// objects are marked.
 fn unoccluded<const N: usize>(mut objects: [Object; N], x: f64) -> [bool; N] {
     let mut lights = [Light {
         position: Vec3::new(Length::from_num(x), Length::ZERO, Length::ZERO),
@@ -90,14 +93,15 @@ fn objects_in_front_are_unoccluded() {
         [true, false, false]
     );
     assert_eq!(unoccluded([left, right], 0.0), [true, true]);
-    // Light between, inside, and an unbounded object that touches.
+    // A sphere is not marked if the light is inside it or if a plane cuts it. A plane just
+    // below the sphere makes no difference.
     assert_eq!(unoccluded([left, right], -0.5), [false, false]);
     assert_eq!(unoccluded([left, floor(0.125)], 1.0), [false, false]);
     assert_eq!(unoccluded([left, floor(-0.26)], 1.0), [true, false]);
     assert!(!SurfaceFlags::unoccluded_from(8).intersects(SurfaceFlags::unoccluded_from(7)));
 }
 
-/// Compares with shadow rays in double precision.
+/// Checks the marked spheres with shadow rays in double precision.
 #[test]
 fn unoccluded_spheres_are_lit() {
     let random = &mut Rng::with_seed(1);
@@ -158,7 +162,7 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// Returns true if a sphere occludes a point from another.
+/// Returns true if a sphere occludes the point at `from + way` from the point `from`.
 fn is_between(from: [f64; 3], way: [f64; 3], sphere: &BoundingSphere) -> bool {
     let center = exact(sphere.center);
     let to_center = [0, 1, 2].map(|i| center[i] - from[i]);

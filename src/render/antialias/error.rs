@@ -5,9 +5,9 @@ use super::pattern::MAX_SIDE;
 /// Reason why an [`AntialiasedRenderer`](super::AntialiasedRenderer) cannot be created.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AntialiasError {
-    /// The memory is shorter than two lines of the picture.
+    /// The memory has fewer samples than two lines of the picture have pixels.
     TooLittleMemory {
-        /// Number of samples that two lines take.
+        /// Number of samples that two lines of the picture need.
         samples: usize,
     },
     /// A side of the picture is longer than 8191 pixels.

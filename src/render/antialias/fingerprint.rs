@@ -1,25 +1,25 @@
 use crate::math::{Color, Real};
 use crate::observer::{Observer, RayKind, RayNode};
 
-/// Observer that hashes object, material and incident lights at the hit of a camera ray.
+/// Observer that hashes the object, its material and the incident lights where a camera ray hits.
 ///
-/// Objects seen by reflection or refraction do not contribute. Their edges are numerous and often
-/// faint; the comparison of colors finds those that matter.
+/// Objects seen by reflection or refraction do not change the hash, because their edges are
+/// numerous and often faint. The comparison of colors finds their visible edges.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Fingerprint {
     /// Hash of the most recent camera ray.
     pub(super) hash: u32,
     /// Hash of the shadow rays of the current camera ray.
     lights: u32,
-    /// True between the start of a camera ray and its node.
+    /// True from the start of a camera ray until the tracer reports its node.
     is_camera_ray: bool,
 }
 
 /// Transmittance of an unobstructed shadow ray.
 const WHITE: Color<Real> = Color::gray(Real::ONE);
 
-/// Adds a number to a hash: multiplication by the golden ratio (Knuth 1973), rotated so that high
-/// bits also affect low bits of the next product.
+/// Adds a number to a hash. The hash is multiplied by the golden ratio (Knuth 1973) and rotated, so
+/// that its high bits affect the low bits of the next product.
 fn mix(hash: u32, number: u32) -> u32 {
     (hash ^ number).wrapping_mul(0x9e37_79b1).rotate_left(15)
 }
@@ -32,10 +32,12 @@ impl Observer for Fingerprint {
     }
 
     fn shadow(&mut self, light: u16, transmittance: Option<Color<Real>>) {
-        // A light behind the surface gets no shadow ray. It counts like an unobstructed light,
-        // because shading is smooth where the surface turns away from a light.
+        // A light behind the surface gets no shadow ray. For the hash, such a light counts like an
+        // unobstructed one: shading is smooth where a surface turns away from a light, so there is
+        // no edge.
         if self.is_camera_ray && transmittance != Some(WHITE) {
-            // Transmittance is computed in Q15 and reported in Q32.
+            // The shift undoes a conversion: the tracer computes transmittance in Q15 and reports
+            // it in Q32.
             let transmittance = transmittance.unwrap_or_default();
             let Color { r, g, b } = transmittance.map(|c| (c.to_bits() >> 17) as u32);
             let numbers = [1 + u32::from(light), r, g, b];

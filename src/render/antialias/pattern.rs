@@ -1,31 +1,31 @@
 /// Number of rows and columns of the grid of sample positions in a pixel.
 pub(super) const GRID: u32 = 8;
 
-/// Greatest width and height of an antialiased picture: [`GRID`] times as many pixels must not exceed
-/// the limit of camera rays.
+/// Greatest width and height of an antialiased picture in pixels. [`GRID`] times this number must
+/// not exceed the greatest number of camera rays per side.
 pub(super) const MAX_SIDE: u32 = crate::render::camera_rays::MAX_SIDE / GRID;
 
 /// Number of additional rays for a pixel at an edge, besides the ray through its center.
 ///
-/// The rays go through cells of an 8x8 grid and are spread evenly over its rows and columns, so
-/// nearly vertical and nearly horizontal edges get as many gray levels as there are occupied
-/// columns and rows.
+/// The rays go through cells of an 8x8 grid and are spread evenly over the rows and columns of the
+/// grid. The more columns and rows contain a ray, the more gray levels a nearly vertical or nearly
+/// horizontal edge gets.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum SampleCount {
-    /// Four rays in a rotated square, each in a row and a column of its own.
+    /// Four rays in a rotated square. No two of them share a row or a column.
     #[default]
     Four,
-    /// Sixteen rays, two in each row and each column.
+    /// Sixteen rays: two in each row and two in each column.
     Sixteen,
 }
 
 type Rows = [&'static [u32]; GRID as usize];
 
 impl SampleCount {
-    /// Returns the columns of the rays in each row of the grid, in ascending order.
+    /// Returns, for each row of the grid, the columns of its rays in ascending order.
     pub(super) fn rows(self) -> &'static Rows {
-        // Found by trial: among point-symmetric patterns, these came closest to pictures with 256
-        // rays per pixel.
+        // These patterns were found by trial. Among point-symmetric patterns, their pictures came
+        // closest to pictures with 256 rays per pixel.
         const FOUR: Rows = [&[2], &[], &[7], &[], &[], &[0], &[], &[5]];
         const SIXTEEN: Rows = [
             &[1, 4],
@@ -43,7 +43,8 @@ impl SampleCount {
         }
     }
 
-    /// Returns the weight of each ray of a pixel, `1 / n` in Q32, rounded up.
+    /// Returns the weight of each ray of a pixel at an edge. With n rays, including the center ray,
+    /// the weight is `1 / n` in Q32, rounded up.
     pub(super) fn weight(self) -> u32 {
         const fn weight(samples: u64) -> u32 {
             (1_u64 << 32).div_ceil(samples) as u32

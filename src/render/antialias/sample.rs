@@ -1,19 +1,21 @@
 use crate::math::{Color, Radiance, wide};
 
-/// Neighbors whose colors differ by more than this in a channel form an edge: 1/16.
+/// Greatest difference of a color channel between neighbors that does not make an edge: 1/16.
 const EDGE: Radiance = Radiance::from_bits(1 << 26);
 
-/// Pixel of the line memory of an [`AntialiasedRenderer`](super::AntialiasedRenderer): 16 bytes.
+/// Memory of an [`AntialiasedRenderer`](super::AntialiasedRenderer) for one pixel: 16 bytes.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct AaSample {
-    /// Color of the center ray, clipped to 0..=1; later the sum of the weighted rays.
+    /// Color of the center ray, clipped to 0..=1. In an edge pixel, the weighted sum of all
+    /// rays replaces this color.
     color: Color<Radiance>,
-    /// Hash of what the center ray hit. The lowest bit is set if the pixel is at an edge.
+    /// Hash of the object, material and lights at the hit of the center ray. The lowest bit is not
+    /// part of the hash: it is set if the pixel is at an edge.
     hash: u32,
 }
 
 impl AaSample {
-    /// Black sample, to initialize memory.
+    /// Black sample to initialize the memory with.
     pub const BLACK: Self = Self {
         color: Color::<Radiance>::BLACK,
         hash: 0,
@@ -34,7 +36,7 @@ impl AaSample {
         self.hash & 1 != 0
     }
 
-    /// Marks both samples as edges if they differ.
+    /// Marks both samples as edge pixels if their hits or colors differ.
     pub(super) fn compare(&mut self, other: &mut Self) {
         let difference = self.color.zip(other.color, Radiance::abs_diff);
         let same_hit = (self.hash ^ other.hash) >> 1 == 0;
@@ -44,18 +46,18 @@ impl AaSample {
         }
     }
 
-    /// Starts the sum of weighted rays with the center ray; `weight` is in Q32.
+    /// Starts the weighted sum of a pixel's rays with the center ray. `weight` has Q32.
     pub(super) fn start(&mut self, weight: u32) {
         self.color = weighted(self.color, weight);
     }
 
-    /// Adds a ray to the sum; `weight` is in Q32.
+    /// Adds the color of a ray to the pixel's weighted sum. `weight` has Q32.
     pub(super) fn add(&mut self, color: Color<Radiance>, weight: u32) {
         self.color = self.color.plus(weighted(clip(color), weight));
     }
 }
 
-/// Multiplies a color by a weight: `U2F30 * U0F32 -> U2F30`, rounded down.
+/// Multiplies a color by a weight. The products are rounded down: `U2F30 * U0F32 -> U2F30`.
 fn weighted(color: Color<Radiance>, weight: u32) -> Color<Radiance> {
     color.map(|c| Radiance::from_bits((wide(c.to_bits(), weight) >> 32) as u32))
 }

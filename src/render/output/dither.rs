@@ -1,31 +1,31 @@
 //! Ordered dithering (Bayer 1973) with an 8x8 tile of thresholds.
 //!
-//! Random and blue-noise tiles of this size look coarser. Larger tiles repeat less often, but do
-//! not have an exact mean over the small areas that the eye averages.
+//! Tiles of random or blue noise look coarser at this size. Larger tiles repeat less often, but
+//! their mean is not exact over the small areas that the eye averages.
 
-/// Threshold that rounds to the nearest level: half a level in Q16.
+/// Threshold that rounds a value to the nearest level: half a level in Q16.
 const HALF: u32 = 1 << 15;
 
-/// Side of the tile in pixels, a power of two.
+/// Side of the tile of thresholds in pixels. It must be a power of two.
 const SIDE: usize = 8;
 
-/// Dithering of values between two levels of a display channel.
+/// Dithering of values that lie between two levels of a display channel.
 ///
-/// A value that equals a level is never changed.
+/// Dithering does not change a value that equals a level.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Dither {
-    /// Selects the level below or above by an 8x8 pattern. The mean of any 8x8 pixels of one color
-    /// is within 1/128 of a level of that color. Channels of 8 bits are rounded to the nearest
-    /// level instead.
+    /// Selects the level below or above a value by an 8x8 pattern. In an area of uniform color, the
+    /// mean of any 8x8 pixels differs from the color by at most 1/128 of a level. Channels of 8
+    /// bits are not dithered, but rounded to the nearest level.
     #[default]
     Ordered,
-    /// Rounds to the nearest level.
+    /// Rounds values to the nearest level.
     Off,
 }
 
 impl Dither {
-    /// Returns the threshold of pixel (x, y), which is added to a value before rounding down, in
-    /// Q16 levels. `is_coarse` is true for channels of fewer than 8 bits.
+    /// Returns the threshold of pixel (x, y): the fraction of a level, in Q16, to add to a value
+    /// before it is rounded down. `is_coarse` must be true for channels of fewer than 8 bits.
     #[inline(always)]
     pub(crate) fn threshold(self, x: i32, y: i32, is_coarse: bool) -> u32 {
         match self {
@@ -35,11 +35,13 @@ impl Dither {
     }
 }
 
-/// Rank of each pixel of the tile, 0 to 63: pixels of high rank reach the level above first.
+/// Rank of each pixel of the tile, from 0 to 63. As a value rises from one level to the next,
+/// pixels of high rank switch to the next level first.
 ///
-/// The order is Bayer's, except that each four consecutive ranks, whose pixels are four apart,
-/// are permuted. A ramp from black to white over 240 to 320 columns then keeps its mean in each
-/// tile within one pixel of 64, even in black and white.
+/// The order is Bayer's with one change: within each group of four consecutive ranks, whose pixels
+/// are four columns or rows apart, the ranks are permuted. The change improves ramps from black to
+/// white over 240 to 320 columns. Even in black and white, the mean of each tile then differs from
+/// the ramp by at most one pixel of 64.
 #[rustfmt::skip]
 const ORDER: [[u8; SIDE]; SIDE] = [
     [0, 33, 10, 40, 3, 34, 9, 43],
@@ -52,7 +54,8 @@ const ORDER: [[u8; SIDE]; SIDE] = [
     [62, 30, 52, 22, 61, 29, 55, 21],
 ];
 
-/// Thresholds in Q16 levels: the centers of 64 equal parts of a level, ordered by `ORDER`.
+/// Threshold of each pixel of the tile, in Q16. A level is divided into 64 equal parts; the
+/// threshold is the center of the part whose number is the pixel's rank in `ORDER`.
 static THRESHOLDS: [[u16; SIDE]; SIDE] = {
     let mut thresholds = [[0; SIDE]; SIDE];
     let mut index = 0;

@@ -1,4 +1,4 @@
-//! Transfer functions from linear radiance to display values, in Q16 of full scale.
+//! Transfer functions from linear radiance to display values, where 2^16 is full scale.
 
 use crate::math::Radiance;
 
@@ -8,57 +8,60 @@ pub enum Transfer {
     /// Display values are proportional to radiance.
     #[default]
     Linear,
-    /// Display values are encoded as sRGB (IEC 61966-2-1), for displays that expect the encoding
-    /// of a PC's monitor.
+    /// Display values are encoded as sRGB (IEC 61966-2-1). Some displays expect sRGB, as PC
+    /// monitors do.
     Srgb,
 }
 
 impl Transfer {
-    /// Clips radiance to 0..=1 and returns its display value, 0 to 2^16.
+    /// Clips a radiance to 0..=1 and converts it to a display value from 0 to 2^16.
     #[inline(always)]
     pub(crate) fn encode(self, light: Radiance) -> u32 {
         let light = light.to_bits().min(1 << 30);
         match self {
-            // Q30 -> Q16, rounded down: an error of at most 1/256 of an 8-bit level.
+            // The shift rounds Q30 down to Q16. The error is at most 1/256 of an 8-bit level.
             Self::Linear => light >> 14,
             Self::Srgb => srgb(light),
         }
     }
 }
 
-/// Number of segments per factor of two.
+/// Number of table segments for each factor of two of the radiance, for example from 1/2 to 1.
 const SEGMENTS: u32 = 8;
 
-/// log2 of the first table entry in Q30. Below it, at 2^-9, the encoding is linear.
+/// Position of the top bit, in Q30, of the smallest radiance in the table, which is 2^-9. Below
+/// 2^-9 the encoding is linear and needs no table.
 const FIRST: u32 = 21;
 
-/// Number of table entries: segments from 2^-9 to 1, and one entry for 1 itself.
+/// Number of table entries: one for each segment from 2^-9 to 1, and one for the radiance 1.
 const ENTRIES: usize = (SEGMENTS * (30 - FIRST)) as usize + 1;
 
-/// Returns the sRGB encoding, Q16, of radiance from 0 to 1 in Q30, by linear interpolation. The
-/// error is below 0.1 of an 8-bit level (measured: 0.09).
+/// Encodes a radiance as sRGB by linear interpolation in a table. The radiance is from 0 to 1 in
+/// Q30; the result has Q16. The error is below 0.1 of an 8-bit level (measured: 0.09).
 ///
-/// Out of line: runs three times per pixel.
+/// The function is not inlined, so that the calls for the three channels share one copy of the
+/// code.
 #[inline(never)]
 fn srgb(light: u32) -> u32 {
     if light >> FIRST == 0 {
-        // Multiplies by 12.92: Q27 * Q10 -> Q16
+        // Multiplies by 12.92: the product of Q27 and Q10 is shifted to Q16.
         return ((light >> 3) * 13_230) >> 21;
     }
     let exponent = 31 - light.leading_zeros();
     let shift = exponent - SEGMENTS.ilog2();
-    // The leading one of `light >> shift` adds `SEGMENTS`, which is subtracted again.
+    // `light >> shift` is from `SEGMENTS` to `2 * SEGMENTS - 1`. Subtracting `SEGMENTS` gives the
+    // segment within the factor of two.
     let index = SEGMENTS * (exponent - FIRST) + (light >> shift) - SEGMENTS;
     let Some(&[start, rise]) = CHORDS.get(index as usize) else {
         return 1 << 16;
     };
-    // Fraction of the segment, Q15.
+    // `fraction` is the position in the segment, from 0 to 1, in Q15.
     let fraction = (light << (31 - exponent) << 4) >> 17;
-    // Q15 * Q15 -> Q16
+    // Both terms have Q30 and are rounded to Q16.
     ((u32::from(start) << 15) + u32::from(rise) * fraction + (1 << 13)) >> 14
 }
 
-/// Encoded value at the start of each segment and its increase over the segment, Q15.
+/// The sRGB value at the start of each segment, and its increase over the segment. Both have Q15.
 static CHORDS: [[u16; 2]; ENTRIES] = {
     let mut chords = [[0; 2]; ENTRIES];
     let mut index = 0;
@@ -67,20 +70,21 @@ static CHORDS: [[u16; 2]; ENTRIES] = {
         chords[index] = [start, encoded(index as u32 + 1) - start];
         index += 1;
     }
-    // The entry for 1 has no segment.
+    // The radiance 1 is the end of the last segment, so the value does not increase further.
     chords[ENTRIES - 1][1] = 0;
     chords
 };
 
-/// Returns the sRGB encoding at the start of a segment, Q15: `12.92 x` up to 0.0031308,
-/// `1.055 x^(1 / 2.4) - 0.055` above.
+/// Returns the sRGB value, in Q15, of the radiance x at which segment `index` starts. The value is
+/// `12.92 x` up to x = 0.0031308, and `1.055 x^(1 / 2.4) - 0.055` above.
 const fn encoded(index: u32) -> u16 {
-    // Q12
+    // The radiance x in Q12.
     let light = ((SEGMENTS + index % SEGMENTS) << (index / SEGMENTS)) as u128;
     if light * 10_000_000 < 31_308 << 12 {
         return ((light * 1292 * 8 + 50) / 100) as u16;
     }
-    // x^(5/12) in Q32: the cube root of x^5 in Q40, then the square root twice.
+    // Computes x^(1 / 2.4), which is x^(5/12), in Q32: first the cube root of x^5 in Q40, then the
+    // square root of the square root.
     let root = cube_root(light.pow(5) << 60);
     let power = ((root << 24).isqrt() << 32).isqrt();
     (((power * 1055 - (55 << 32)) / 1000 + (1 << 16)) >> 17) as u16
@@ -106,7 +110,7 @@ mod tests {
 
     use super::*;
 
-    /// Returns the sRGB encoding by the formula of IEC 61966-2-1.
+    /// Returns the sRGB value of a radiance by the formula of IEC 61966-2-1.
     fn exact(light: f64) -> f64 {
         if light <= 0.003_130_8 {
             12.92 * light

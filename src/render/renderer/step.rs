@@ -1,4 +1,4 @@
-//! Stepwise drawing.
+//! Drawing of a picture in steps of limited work.
 
 use embedded_graphics_core::draw_target::DrawTarget;
 
@@ -11,21 +11,21 @@ use crate::render::progress::{RenderProgress, Step};
 use crate::render::scanline::PixelIter;
 
 impl<O: Observer> Renderer<'_, O> {
-    /// Continues `progress` by one step; does nothing if it is complete.
+    /// Draws one step of a picture and advances `progress`. Does nothing if `progress` is complete.
     ///
-    /// A line or the rest of a line is one call of `fill_contiguous`, and so is a block larger
-    /// than a pixel. In a pass that traces every other pixel of a line, the line is one call of
-    /// `draw_iter`. If [`Step::Rays`] ends within a line, its call gets fewer colors than its
-    /// area has pixels.
+    /// Each block larger than a pixel is drawn by one call of `fill_contiguous`. Single pixels are
+    /// drawn line by line: one call of `fill_contiguous` draws a line or the rest of a line. If a
+    /// pass traces only every other pixel of a line, one call of `draw_iter` draws these pixels. If
+    /// [`Step::Rays`] ends within a line, its call receives fewer colors than the line has pixels.
     ///
-    /// `step` is inlined, so a step that is known at compile time links only its own code.
-    /// [`Step::Rays`] links a second copy of the ray tracer, 10 KB of flash, that counts rays and
-    /// executes 3 % more instructions.
+    /// `step` is inlined. If the kind of step is known at compile time, only the code of that kind
+    /// is linked. [`Step::Rays`] links a second copy of the ray tracer, which counts rays. The copy
+    /// takes 10 KB of flash and executes 3 % more instructions.
     ///
     /// # Errors
-    /// The first error of the display, which ends the step. `progress` is then at the start of
-    /// the failed call, of which the display may have shown some pixels. The next step repeats
-    /// that call and no other, so the finished picture is the same.
+    /// The step stops at the first error of the display and returns that error. The display may
+    /// have shown some pixels of the failed call. `progress` stays at the start of that call, so
+    /// the next step repeats it, and the finished picture is the same as without the error.
     #[inline]
     pub fn step<D>(
         &mut self,
@@ -117,7 +117,8 @@ impl<O: Observer> Renderer<'_, O> {
             }?;
             match pixels.is_exhausted {
                 true => progress.advance(pixels.yielded, size),
-                // A display that takes only some of the pixels has clipped the others.
+                // If the display took fewer pixels than the row has, it has clipped the others, so
+                // the row is complete.
                 false => progress.finish_row(size),
             }
         }
@@ -125,13 +126,13 @@ impl<O: Observer> Renderer<'_, O> {
     }
 }
 
-/// Iterator over pixels that ends when a number of rays has been traced.
+/// Iterator over pixels that ends early once `budget` rays have been traced.
 struct RayBudget<'r, 's, 'o, O> {
     pixels: PixelIter<'r, 's, Pair<'o, RayCounter, O>>,
     budget: u32,
     /// Number of pixels that the iterator has returned.
     yielded: u32,
-    /// True if the budget ended before the pixels.
+    /// True if the iterator ended because the budget was used up.
     is_exhausted: bool,
 }
 

@@ -12,15 +12,15 @@ use crate::qemu::{Arithmetic, Machine};
 use crate::report::Report;
 use crate::{parallel, scene};
 
-/// Counts of a picture on a core.
+/// Measurements of a picture on a core.
 pub(super) struct Row {
     pub(super) subject: Subject,
     pub(super) core: Core,
-    /// Instructions of the frame, including the decoding of the scene.
+    /// Instructions that the frame takes, including the decoding of the scene.
     pub(super) instructions: u64,
-    /// Instructions in floating point, or 0 if they were not counted.
+    /// Instructions that the frame takes in floating point, or 0 if they were not counted.
     pub(super) float_instructions: u64,
-    /// Camera, reflected, transmitted and shadow rays.
+    /// Number of rays: camera, reflected, transmitted and shadow rays together.
     pub(super) rays: u64,
     /// Flash of the whole firmware in bytes.
     pub(super) flash: u64,
@@ -30,11 +30,12 @@ pub(super) struct Row {
     pub(super) stack: u64,
 }
 
-/// A picture, a core, and the firmware for fixed point and, if needed, for floats.
+/// A picture to draw on a core, with the firmware for fixed point and the optional firmware for
+/// floating point.
 type Job = (Subject, Core, PathBuf, Option<PathBuf>);
 
-/// Draws every picture on every core, in both arithmetics if `with_float`. Returns an error if a
-/// fixed-point picture differs from the host's.
+/// Draws every picture on every core in fixed point, and also in floating point if `with_float`.
+/// Returns an error if a fixed-point picture differs from the host's picture.
 pub(super) fn count(subjects: &[Subject], cores: &[Core], with_float: bool) -> Result<Vec<Row>> {
     let mut jobs = Vec::new();
     for core in cores.iter().copied() {
@@ -61,7 +62,7 @@ fn row((subject, core, fixed, float): &Job) -> Result<Row> {
     );
     let mut float_instructions = 0;
     if let Some(float) = float {
-        // A small picture, scaled by the number of pixels.
+        // The float firmware draws a smaller picture; its count is scaled by the number of pixels.
         let small = subject.reduced_for_floats(core);
         let report = draw(small, core, Arithmetic::Float, float)?;
         float_instructions = report.number("instructions")? * subject.pixels() / small.pixels();
@@ -86,7 +87,7 @@ fn draw(subject: Subject, core: Core, arithmetic: Arithmetic, elf: &Path) -> Res
     Ok(report)
 }
 
-/// Returns the number of rays of a picture, and its checksum.
+/// Draws a picture on the host. Returns its number of rays and its checksum.
 fn draw_on_host(subject: Subject) -> Result<(u64, String)> {
     let file = scene_file::load(scene(subject.scene))?;
     let mut buffer = Box::new(scene_file::Buffer::new());

@@ -7,7 +7,7 @@ use crate::firmware::Firmware;
 use crate::qemu::{Arithmetic, Machine};
 use crate::symbols::Symbols;
 
-/// Files of the library that only decoding needs: all others draw.
+/// Files of the library that are only needed to decode scenes. All other files count as drawing.
 const DECODING: [&str; 6] = [
     "src/archive",
     "src/codec",
@@ -17,12 +17,13 @@ const DECODING: [&str; 6] = [
     "src/scene_buffer",
 ];
 
-/// Bytes of the library's machine code that draw, and bytes that decode, in the headless firmware
-/// of a core. Code that is inlined elsewhere counts.
+/// Size of the library's machine code in the headless firmware for a core. The first number of each
+/// pair is the bytes that draw, the second the bytes that decode scenes. Library code that is
+/// inlined into other crates is included.
 pub(super) struct Flash {
     pub(super) core: Core,
     pub(super) full: [u64; 2],
-    /// Without optional features, which leaves spheres and planes.
+    /// Sizes without optional features: the library then has only spheres and planes.
     pub(super) minimal: [u64; 2],
 }
 

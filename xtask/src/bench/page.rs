@@ -1,4 +1,4 @@
-//! Tables of docs/benchmarks.md.
+//! Writes the tables of docs/benchmarks.md.
 
 use std::fmt::Write;
 use std::fs;
@@ -12,7 +12,7 @@ use crate::size::Usage;
 
 const FILE: &str = "docs/benchmarks.md";
 
-/// Replaces the lines between `<!-- name -->` and `<!-- /name -->` in the page.
+/// Replaces the lines between `<!-- name -->` and `<!-- /name -->` in docs/benchmarks.md.
 pub(super) fn replace(name: &str, text: &str) -> Result<()> {
     let file = root().join(FILE);
     let page = fs::read_to_string(&file)?;
@@ -29,7 +29,7 @@ fn replaced(page: &str, name: &str, text: &str) -> Option<String> {
     ))
 }
 
-/// Returns the tables of instructions, one for each picture.
+/// Returns the tables of instruction counts, one for each picture.
 pub(super) fn frames(rows: &[Row]) -> Result<String> {
     let mut text = String::new();
     for rows in rows.chunk_by(|a, b| a.subject == b.subject) {
@@ -57,7 +57,7 @@ pub(super) fn frames(rows: &[Row]) -> Result<String> {
     Ok(text)
 }
 
-/// Returns the table of flash and RAM in the headless firmware.
+/// Returns the table of the flash and RAM that the headless firmware takes on each core.
 pub(super) fn flash(rows: &[Row], flash: &[Flash]) -> Result<String> {
     let mut text = "\
         | core | draws spheres, planes | draws all | decodes spheres, planes | decodes all | firmware | RAM |\n\
@@ -78,7 +78,7 @@ pub(super) fn flash(rows: &[Row], flash: &[Flash]) -> Result<String> {
     Ok(text)
 }
 
-/// Returns the table of flash and RAM of boards.
+/// Returns the table of the flash and RAM that the firmware of each board takes.
 pub(super) fn boards(boards: &[(&str, Usage)]) -> Result<String> {
     let mut text = "| board | flash | static RAM |\n|---|--:|--:|\n".to_owned();
     for (board, Usage { flash, ram }) in boards {

@@ -30,7 +30,8 @@ pub(super) const SUBJECTS: [Subject; 7] = [
     subject("whitted", 128, 64),
 ];
 
-/// Pictures with a budget, small because every `cargo xtask test` counts them.
+/// Pictures with an instruction budget. They are small, because every `cargo xtask test` draws
+/// them.
 pub(super) const IN_BUDGET: [Subject; 3] = [
     subject("four_spheres", 320, 240),
     subject("whitted", 160, 120),
@@ -42,8 +43,8 @@ impl Subject {
         u64::from(self.size.width) * u64::from(self.size.height)
     }
 
-    /// Returns a smaller picture for cores without an FPU, on which floats take up to 10^11
-    /// instructions for a frame.
+    /// Returns the picture to draw in floating point. It is smaller for cores without an FPU, on
+    /// which the full picture takes up to 10^11 instructions.
     pub(super) fn reduced_for_floats(self, core: Core) -> Self {
         let divisor = match self.scene {
             _ if core.has_fpu() => 1,

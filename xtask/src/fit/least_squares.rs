@@ -1,7 +1,8 @@
-/// Returns the prices, none below 0, that bring `row · prices` closest to 1 for every row in the
-/// sense of least squares.
+/// Returns the prices that minimize the sum over all rows of (`row · prices` - 1)². No price is
+/// below 0.
 ///
-/// Coordinate descent: each price in turn takes its best value while the others stay.
+/// The algorithm is coordinate descent: each price in turn is set to its best value while all
+/// others are kept.
 pub(super) fn non_negative<const N: usize>(rows: &[[f64; N]]) -> [f64; N] {
     const ROUNDS: usize = 50_000;
     let mut prices = [0.0; N];
@@ -27,7 +28,8 @@ mod tests {
 
     #[test]
     fn finds_exact_prices() {
-        // Each row is divided by its product with the prices 2, 0.5, 3.
+        // The expected prices are 2, 0.5 and 3. Each row is divided by its product with these
+        // prices.
         let rows = [[1.0, 2.0, 3.0], [4.0, 1.0, 0.0], [2.0, 2.0, 9.0]];
         let products = [12.0, 8.5, 32.0];
         let rows = [0, 1, 2].map(|row| rows[row].map(|amount| amount / products[row]));
@@ -38,7 +40,7 @@ mod tests {
 
     #[test]
     fn returns_no_negative_price() {
-        // Without the constraint, the solution is [2, -1].
+        // Without the lower limit of 0 for prices, the solution would be [2, -1].
         let found = non_negative(&[[1.0, 1.0], [2.0, 3.0]]);
         assert!(found[0] > 0.0 && found[1] == 0.0, "{found:?}");
     }

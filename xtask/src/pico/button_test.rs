@@ -1,4 +1,4 @@
-//! One run of the firmware that presses all buttons and sends scenes over USB.
+//! A test that runs the firmware once, presses all buttons, and sends scenes over USB.
 
 use std::fs;
 
@@ -11,10 +11,12 @@ use super::{firmware, panel, transfers};
 use crate::budget::Counts;
 use crate::{host, scene, scratch_dir};
 
-/// Most cycles of a picture that a button interrupts. The emulator presses after 20 M cycles.
+/// Largest number of cycles of a picture that a button interrupts. The emulator presses the button
+/// after 20 million cycles.
 const INTERRUPTED: u64 = 30_000_000;
 
-/// Compares all complete pictures with the host's. Returns the cycles of three of them.
+/// Compares all complete pictures with the host's pictures. Returns the cycles of the pictures that
+/// have a budget.
 pub(super) fn run() -> Result<Counts> {
     let (first, last) = (scene("four_spheres"), scene("bouncing_ball"));
     let sent = scene("still_life");
@@ -42,8 +44,8 @@ pub(super) fn run() -> Result<Counts> {
     ];
     let error = host::decode_error(&bytes)?;
     let error = || panel::message(&format!("This scene cannot be drawn: {error}."));
-    // Name, picture unless a button interrupts it, and true for a picture with a budget. The
-    // scene from USB comes after those in flash.
+    // Each entry has a name, the expected picture (`None` if a button interrupts it), and true if
+    // the picture has a budget. The scene from USB comes after the scenes in flash.
     let expected = [
         ("four_spheres", Some(panel::draw_on_host(&first)?), true),
         ("an error", Some(error()?), false),

@@ -16,29 +16,29 @@ use crate::{root, scratch_dir, tools};
 /// Folder of the emulator's script and npm packages.
 const FOLDER: &str = "boards/pico/emulator";
 
-/// Marks the end of a picture in the stream, in place of the level of the D/C pin.
+/// Marks the end of a picture in the stream. It takes the place of the D/C level, which is 0 or 1.
 const END: u8 = 2;
 
-/// A button, by the number of its pin.
+/// A button of the board. The discriminant is the number of its pin.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Button {
     Next = 15,
     Right = 20,
 }
 
-/// Cause of another picture.
+/// An event that makes the firmware draw another picture.
 #[derive(Clone, Copy)]
 pub(super) enum Event<'e> {
-    /// Press of a button after a picture.
+    /// A press of a button after a picture is complete.
     AfterPicture(Button),
-    /// Press of a button that interrupts a picture.
+    /// A press of a button while a picture is drawn.
     DuringPicture(Button),
-    /// Transfer over USB after a picture.
+    /// A transfer over USB after a picture is complete.
     Usb(&'e dyn Fn(&Port) -> Result<()>),
 }
 
-/// Runs firmware for its first picture and one picture after each event. Returns the complete or
-/// interrupted pictures and their cycles.
+/// Runs firmware for its first picture, and for one more picture after each event. Returns the
+/// pictures, complete or interrupted, each with its cycles.
 pub(super) fn run(elf: &Path, events: &[Event<'_>]) -> Result<Vec<(Picture, u64)>> {
     install()?;
     let stream = scratch_dir()?.join("pico.stream");
@@ -68,7 +68,8 @@ pub(super) fn run(elf: &Path, events: &[Event<'_>]) -> Result<Vec<(Picture, u64)
     Ok(pictures.into_iter().zip(cycles).collect())
 }
 
-/// Reads the cycles of pictures, and runs USB transfers in between.
+/// Reads the cycles of each picture from the emulator's output, and runs the USB transfers between
+/// pictures.
 fn watch(node: &mut Child, events: &[Event<'_>], port: Option<&Port>) -> Result<Vec<u64>> {
     let output = node.stdout.take().context("node has no output")?;
     let mut lines = BufReader::new(output).lines();
@@ -83,7 +84,7 @@ fn watch(node: &mut Child, events: &[Event<'_>], port: Option<&Port>) -> Result<
     Ok(cycles)
 }
 
-/// Prints and parses a line such as "cycles: 1234, bytes: 567".
+/// Prints the next line, such as "cycles: 1234, bytes: 567", and returns the cycles in it.
 fn next_cycles(lines: &mut Lines<impl BufRead>) -> Result<u64> {
     let line = lines
         .next()
@@ -95,7 +96,7 @@ fn next_cycles(lines: &mut Lines<impl BufRead>) -> Result<u64> {
     Ok(cycles.context("the emulator printed no cycles")?.parse()?)
 }
 
-/// Decodes pairs of D/C level and byte.
+/// Decodes the pictures in a stream of pairs: the level of the display's D/C pin, and a byte.
 fn decode(stream: &[u8]) -> Result<Vec<Picture>> {
     let mut controller = Controller::new(PANEL);
     let mut pictures = Vec::new();
@@ -113,7 +114,8 @@ fn decode(stream: &[u8]) -> Result<Vec<Picture>> {
     Ok(pictures)
 }
 
-/// Installs the emulator's npm packages unless the installed versions are those of the lock file.
+/// Installs the emulator's npm packages. Does nothing if the packages were installed after the last
+/// change of the lock file.
 fn install() -> Result<()> {
     let folder = root().join(FOLDER);
     let modified = |file: &str| fs::metadata(folder.join(file)).and_then(|file| file.modified());

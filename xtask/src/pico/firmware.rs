@@ -16,14 +16,14 @@ pub(super) fn build(scenes: &[&Path]) -> Result<PathBuf> {
     PICO.build(Some(Path::new(&list)))
 }
 
-/// Runs Clippy.
+/// Runs Clippy on the firmware of the Pico.
 pub(super) fn lint() -> Result<()> {
     let mut clippy = PICO.cargo("clippy");
     clippy.args(["--release", "--quiet", "--locked", "--", "-D", "warnings"]);
     run(&mut clippy)
 }
 
-/// Converts an ELF file to UF2 and returns the path.
+/// Converts an ELF file to a UF2 file and returns the path of the UF2 file.
 pub(super) fn uf2(elf: &Path) -> Result<PathBuf> {
     let file = elf.with_extension("uf2");
     run(command("elf2uf2-rs").arg(elf).arg(&file))
@@ -31,7 +31,7 @@ pub(super) fn uf2(elf: &Path) -> Result<PathBuf> {
     Ok(file)
 }
 
-/// Prints flash and static RAM.
+/// Prints the flash and static RAM of the firmware in an ELF file.
 pub(super) fn print_size(elf: &Path) -> Result<()> {
     let usage = size::usage(elf)?;
     println!("flash: {}\nstatics: {}", usage.flash, usage.ram);

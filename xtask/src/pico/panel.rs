@@ -9,7 +9,7 @@ use embedded_graphics_core::geometry::Size;
 use whitted::{PreparedScene, Real, Renderer};
 use whitted_sim::scene_file::{self, Buffer};
 
-/// Display of the board, mounted rotated by 90 degrees.
+/// Display of the Pico. It is mounted rotated by 90 degrees.
 pub(super) const PANEL: Panel = Panel {
     madctl: 0x60,
     ..Panel::ST7789_240X240
@@ -17,7 +17,7 @@ pub(super) const PANEL: Panel = Panel {
 
 pub(super) const SIZE: Size = Size::new(240, 240);
 
-/// Rotation of the camera by a button, in degrees.
+/// Angle by which a button rotates the camera, in degrees.
 const STEP: Real = Real::lit("15");
 
 /// Draws a scene on the host.
@@ -41,14 +41,14 @@ fn draw(scene: &PreparedScene<'_>) -> Result<Picture> {
     Ok(picture)
 }
 
-/// Draws a page with an error message.
+/// Draws the page that the Pico shows for an error message.
 pub(super) fn message(text: &str) -> Result<Picture> {
     let mut picture = Picture::new(SIZE);
     message_page::write(&mut picture, &FONT_10X20, text)?;
     Ok(picture)
 }
 
-/// Returns an error with the first different pixel.
+/// Compares two pictures. Returns an error with the first different pixel, if any.
 pub(super) fn compare(shown: &Picture, expected: &Picture) -> Result<()> {
     let Some(at) = shown.first_difference(expected) else {
         return Ok(());

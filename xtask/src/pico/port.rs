@@ -10,10 +10,10 @@ use serial2::SerialPort;
 /// Longest wait for an answer. The emulator is a few times slower than the board.
 const TIMEOUT: Duration = Duration::from_secs(60);
 
-/// Both ends of the terminal.
+/// Both ends of the pseudo-terminal: the emulator's and the host's.
 pub(super) struct Port {
     device: SerialPort,
-    /// Kept open, because the terminal exists only while its host end is open.
+    /// The host end is kept open, because the terminal exists only while this end is open.
     host: SerialPort,
     path: PathBuf,
 }
@@ -30,12 +30,12 @@ impl Port {
         })
     }
 
-    /// Returns the path that programs on the host open.
+    /// Returns the path of the terminal for programs on the host.
     pub(super) fn path(&self) -> &Path {
         &self.path
     }
 
-    /// Returns the emulator's end.
+    /// Returns the emulator's end of the terminal.
     pub(super) fn device(&self) -> Result<Stdio> {
         Ok(std::os::fd::OwnedFd::from(self.device.try_clone()?).into())
     }

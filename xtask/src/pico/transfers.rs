@@ -1,4 +1,4 @@
-//! Transfers of scenes over USB.
+//! Tests the transfer of scenes over USB.
 
 use std::path::{Path, PathBuf};
 
@@ -12,10 +12,10 @@ use crate::command::{cargo, command, run};
 use crate::host::decode_error;
 use crate::target_dir;
 
-/// Number of a transfer, which the board's answer repeats.
+/// Number of a transfer. The answer of the board repeats the number.
 const TICKET: u16 = 7;
 
-/// Sends data that the board must reject, and checks its answers.
+/// Sends data that the board must reject, and checks the answers of the board.
 pub(super) fn send_invalid(port: &Port, scene: &Path) -> Result<()> {
     let compiled = scene_file::compile(scene)?;
     let whole = framed(&compiled)?;
@@ -46,16 +46,16 @@ pub(super) fn send_invalid(port: &Port, scene: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Builds `sim` as the tests do and returns its path.
+/// Builds the program `sim` with the same features as other tests, and returns its path.
 pub(super) fn build_sim() -> Result<PathBuf> {
     let mut build = cargo();
     build.args(["build", "--quiet", "--bin", "sim"]);
-    // The features of all steps of `cargo xtask test`, so that they share a build.
+    // All steps of `cargo xtask test` build with these features, so that they share one build.
     run(build.args(["--features", "whitted-sim/window"]))?;
     Ok(target_dir().join("debug/sim"))
 }
 
-/// Sends a scene with `sim send`.
+/// Sends a scene with the command `sim send`.
 pub(super) fn send(program: &Path, port: &Port, scene: &Path) -> Result<()> {
     let mut sim = command(program);
     sim.arg("send").arg(scene).arg("--port").arg(port.path());

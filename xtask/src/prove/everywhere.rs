@@ -1,4 +1,4 @@
-//! Draws all scenes on all targets and compares checksums with the host's.
+//! Draws all scenes on all targets and compares the checksums with those of the host.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -50,12 +50,13 @@ impl Picture {
     }
 }
 
-/// Draws with `tests/rigs/virt`, to which QEMU passes size, length and scene in memory.
+/// Draws on a RISC-V core in QEMU with the firmware `tests/rigs/virt`. QEMU writes the picture
+/// size, the length of the scene, and the scene to the memory of the firmware.
 fn risc_v(pictures: &[Picture]) -> Result<()> {
     const QEMU: &str = "qemu-system-riscv32";
     require(&[QEMU], "sudo apt-get install qemu-system-misc")?;
     let mut build = cargo();
-    // Cargo reads the configuration of the working folder.
+    // Cargo reads its configuration from the working folder.
     build.current_dir(root().join("tests/rigs/virt"));
     build.env("CARGO_TARGET_DIR", target_dir());
     run(build.args(["build", "--quiet", "--release", "--target", RISCV]))?;

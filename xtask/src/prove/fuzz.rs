@@ -6,13 +6,13 @@ use crate::command::{cargo_of, run};
 use crate::tools::require;
 use crate::{root, target_dir};
 
-/// Seconds for each target, unless the variable `FUZZ_SECONDS` is set.
+/// Seconds for each fuzz target, unless the environment variable `FUZZ_SECONDS` is set.
 const SECONDS: &str = "300";
 
-/// Runs of each target after which cargo-fuzz stops early.
+/// Number of runs after which cargo-fuzz stops a target before its time is up.
 const RUNS: u64 = 10_000_000;
 
-/// Runs each target of `fuzz` in cargo-fuzz.
+/// Runs each fuzz target in the folder `fuzz` with cargo-fuzz.
 pub(super) fn check() -> Result<()> {
     require(
         &["cargo", "+nightly", "fuzz"],
@@ -21,7 +21,8 @@ pub(super) fn check() -> Result<()> {
     let seconds = std::env::var("FUZZ_SECONDS").unwrap_or(SECONDS.to_owned());
     for entry in fs::read_dir(root().join("fuzz/corpus"))? {
         let target = entry?.file_name();
-        // New inputs go to the first corpus. Few of them are worth committing.
+        // cargo-fuzz writes new inputs to the first corpus folder. It is not in the repository,
+        // because few new inputs are worth committing.
         let found = target_dir().join("fuzz-corpus").join(&target);
         fs::create_dir_all(&found)?;
         let mut fuzz = cargo_of("+nightly", "fuzz");

@@ -6,7 +6,7 @@ use crate::tools::require;
 /// A big-endian target.
 const MIPS: &str = "mips-unknown-linux-gnu";
 
-/// Tests that measure errors with so many numbers that Miri takes hours.
+/// Tests that Miri skips. They measure errors on so many numbers that Miri would take hours.
 const SLOW: [&str; 4] = ["budget", "error_bounds", "sixteen_bits", "srgb_is_within"];
 
 /// Runs the library's unit tests and `tests/everywhere` in Miri, on the host and on a big-endian

@@ -6,7 +6,7 @@ use crate::command::cargo;
 use crate::target_dir;
 use crate::tools::require;
 
-/// Arithmetic, shapes, culling and tracing.
+/// Files to mutate: arithmetic, shapes, culling and tracing.
 const FILES: [&str; 5] = [
     "src/math/**/*.rs",
     "src/geometry/**/*.rs",
@@ -15,7 +15,7 @@ const FILES: [&str; 5] = [
     "src/render/scanline_culler.rs",
 ];
 
-/// Fast tests.
+/// Tests that are run on each mutant. All of them are fast.
 const TESTS: [&str; 7] = [
     "--lib",
     "--test=golden",
@@ -26,32 +26,33 @@ const TESTS: [&str; 7] = [
     "--test=surfaces",
 ];
 
-/// Share of the about 2000 mutants to test.
+/// Part of the mutants to test: one in seven of about 2000.
 const SHARD: &str = "--shard=0/7";
 
-/// Least caught share in percent.
+/// Smallest allowed share of caught mutants, in percent.
 const LEAST: usize = 85;
 
-/// Tests a sample of mutants of the library with cargo-mutants.
+/// Tests a sample of the mutants of the library with cargo-mutants.
 pub(super) fn check() -> Result<()> {
     require(&["cargo", "mutants"], "cargo install cargo-mutants")?;
     let folder = target_dir().join("mutants");
-    // Lists of an earlier run must not count.
+    // Removes the lists of mutants from an earlier run.
     _ = fs::remove_dir_all(&folder);
     fs::create_dir_all(&folder)?;
     let mut mutants = cargo();
     mutants.args(["mutants", "--package", "whitted", "--jobs=2"]);
-    // Some mutants loop forever.
+    // Some mutants loop forever, so each test run has a time limit.
     mutants.args(["--timeout=120", "--sharding=round-robin", SHARD]);
     mutants.arg("--output").arg(&folder);
     mutants.args(FILES.map(|file| format!("--file={file}")));
     mutants.args(TESTS.map(|test| format!("--cargo-arg={test}")));
-    // Each job builds in a folder of its own.
+    // Each job of cargo-mutants builds in its own target folder.
     mutants.env_remove("CARGO_TARGET_DIR");
     mutants
         .env("CARGO_PROFILE_DEV_DEBUG", "0")
         .env("RUNS", "200");
-    // The exit code is not 0 if a mutant is missed, so the lists decide.
+    // The exit code is ignored, because a single missed mutant makes it nonzero. The lists of
+    // caught and missed mutants are counted instead.
     mutants.status()?;
     let count = |list: &str| {
         let file = folder.join("mutants.out").join(list).with_extension("txt");

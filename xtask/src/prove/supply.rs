@@ -1,4 +1,4 @@
-//! Dependencies and the published package.
+//! Checks the dependencies and the package to publish.
 
 use std::iter;
 
@@ -10,7 +10,7 @@ use crate::firmware::V6M;
 use crate::root;
 use crate::tools::require;
 
-/// Oldest toolchain that Cargo.toml promises.
+/// Oldest supported toolchain, the `rust-version` in Cargo.toml.
 const OLDEST: &str = "+1.89";
 
 pub(super) fn check() -> Result<()> {
@@ -26,7 +26,7 @@ pub(super) fn check() -> Result<()> {
         run(deny.args(["check", "licenses", "bans", "sources"]))?;
     }
     no_duplicates()?;
-    // The database of advisories comes from the network.
+    // cargo-deny downloads its database of advisories, which fails without a network.
     match run(cargo().args(["deny", "fetch", "db"])) {
         Ok(()) => run(cargo().args(["deny", "check", "advisories"]))?,
         Err(_) => println!("advisories are not checked without a network"),

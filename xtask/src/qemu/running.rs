@@ -11,13 +11,13 @@ use crate::report::Report;
 /// Longest time without output before the firmware counts as hung.
 const TIMEOUT: Duration = Duration::from_secs(300);
 
-/// Line that ends a report.
+/// Line that ends the report of the firmware.
 const END: &str = "end";
 
-/// A running QEMU. Dropping the value kills the process.
+/// A running QEMU process. Dropping this value kills the process.
 pub(crate) struct Running {
     qemu: Child,
-    /// Lines of standard output.
+    /// Lines of the process's standard output.
     lines: Receiver<io::Result<String>>,
 }
 
@@ -37,7 +37,8 @@ impl Running {
             .with_context(|| format!("cannot start {}", command.get_program().display()))?;
         let output = qemu.stdout.take().context("QEMU has no output")?;
         let (sender, lines) = channel();
-        // A thread reads, because reading from a pipe has no timeout. It ends with QEMU.
+        // A separate thread reads the output, because reading from a pipe has no timeout. The
+        // thread ends when QEMU exits.
         thread::spawn(move || {
             for line in BufReader::new(output).lines() {
                 if line.is_err() || sender.send(line).is_err() {
@@ -48,7 +49,7 @@ impl Running {
         Ok(Self { qemu, lines })
     }
 
-    /// Returns the lines up to the end of the report, or until QEMU ends.
+    /// Reads lines up to the end of the report, or until QEMU exits, and returns the report.
     pub(crate) fn report(&mut self) -> Result<Report> {
         let mut lines = Vec::new();
         loop {
@@ -72,7 +73,7 @@ impl Running {
             .context("cannot read QEMU's output")
     }
 
-    /// Waits for firmware that ends QEMU, and returns its report.
+    /// Waits until the firmware makes QEMU exit, and returns the report of the firmware.
     pub(crate) fn finish(mut self) -> Result<Report> {
         let report = self.report()?;
         let mut errors = String::new();

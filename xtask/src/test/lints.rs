@@ -1,14 +1,14 @@
-//! Clippy.
+//! Runs Clippy.
 
 use anyhow::Result;
 
 use crate::command::{cargo, run};
 use crate::firmware::{V6M, V7M};
 
-/// Feature of everything on the host, so that all steps share one build.
+/// Arguments that all steps on the host pass to Cargo, so that they share one build.
 pub(super) const WINDOW: [&str; 2] = ["--features", "whitted-sim/window"];
 
-/// Packages of firmware in the workspace.
+/// Firmware packages in the root workspace.
 const FIRMWARE: [&str; 7] = [
     "float",
     "headless",
@@ -19,8 +19,8 @@ const FIRMWARE: [&str; 7] = [
     "soak",
 ];
 
-/// Lints for the library alone: no panics, and the same arithmetic on every target. Tests may
-/// panic and compute with floats, so Cargo.toml cannot have these lints.
+/// Lints for the library only. They forbid panics, and arithmetic that may differ between targets.
+/// Cargo.toml cannot have these lints, because tests may panic and compute with floats.
 const LIBRARY: [&str; 8] = [
     "clippy::expect_used",
     "clippy::float_arithmetic",
@@ -32,13 +32,13 @@ const LIBRARY: [&str; 8] = [
     "clippy::unwrap_used",
 ];
 
-/// Lints everything on the host, and the simulator without a window.
+/// Lints all packages that run on the host, and the simulator without the feature `window`.
 pub(super) fn host() -> Result<()> {
     clippy(&["--all-targets", WINDOW[0], WINDOW[1]], &[])?;
     clippy(&["--bin", "sim"], &[])
 }
 
-/// Lints the library on the smallest target, and all firmware.
+/// Lints the library on the smallest target, and the firmware packages.
 pub(super) fn thumb() -> Result<()> {
     library(&["--target", V6M])?;
     let mut arguments = vec!["--target", V7M];

@@ -1,10 +1,10 @@
-//! The firmware `tests/rigs/nopanic` must call every public function of the library.
+//! Checks that the firmware `tests/rigs/nopanic` calls every public function of the library.
 
 use std::collections::BTreeSet;
 
 use super::source::Source;
 
-/// Functions for constants, which the compiler evaluates.
+/// Functions that the firmware need not call, because the compiler evaluates them for constants.
 const COMPILE_TIME: [&str; 1] = ["lit"];
 
 /// Returns a violation for each public function whose name the firmware does not mention.

@@ -1,14 +1,14 @@
-//! Files that depend on each other.
+//! Finds import cycles: files that depend on each other.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::modules::Crate;
 use super::names::ModulePath;
 
-/// Modules and the modules that they depend on.
+/// The modules of a crate, each with the modules that it depends on.
 type Graph = BTreeMap<ModulePath, BTreeSet<ModulePath>>;
 
-/// Returns a violation for each cycle.
+/// Returns a violation for each import cycle.
 pub(super) fn check(modules: &Crate) -> Vec<String> {
     let mut graph = Graph::new();
     for module in modules.modules.keys() {
@@ -20,7 +20,8 @@ pub(super) fn check(modules: &Crate) -> Vec<String> {
         let file = |module| modules.modules[module].source.path.display().to_string();
         let files: Vec<_> = cycle.iter().map(file).collect();
         violations.push(format!("import cycle: {}", files.join(" -> ")));
-        // Without this edge, the search finds another cycle.
+        // Removes the first edge of the cycle that was found, so that the search finds another
+        // cycle.
         if let (Some(used), [first, ..]) = (graph.get_mut(&cycle[0]), &cycle[1..]) {
             used.remove(first);
         }
@@ -28,9 +29,9 @@ pub(super) fn check(modules: &Crate) -> Vec<String> {
     violations
 }
 
-/// Returns the modules of a cycle; the first is also the last.
+/// Returns the modules of an import cycle. The first module is repeated at the end.
 fn find(mut graph: Graph) -> Option<Vec<ModulePath>> {
-    // A module that depends on no module of the graph is in no cycle.
+    // Removes modules that depend on no module in the graph: they are in no cycle.
     loop {
         let rest: BTreeSet<_> = graph.keys().cloned().collect();
         graph.retain(|_, used| !used.is_disjoint(&rest));
@@ -38,7 +39,7 @@ fn find(mut graph: Graph) -> Option<Vec<ModulePath>> {
             break;
         }
     }
-    // Every remaining module has a successor, so a walk ends in a cycle.
+    // Every remaining module depends on another one, so a walk along dependencies ends in a cycle.
     let mut module = graph.keys().next()?;
     let mut walk = Vec::new();
     while !walk.contains(module) {

@@ -1,8 +1,8 @@
-//! Layers of the library.
+//! Checks the layers of the library.
 
 use super::modules::{Crate, Dependency};
 
-/// Modules at the root of the library. Each may use itself and those in earlier rows.
+/// Top-level modules of the library. Each may use itself and the modules in earlier rows.
 const LAYERS: [&[&str]; 9] = [
     &["math"],
     &["archive"],
@@ -15,15 +15,16 @@ const LAYERS: [&[&str]; 9] = [
     &["render"],
 ];
 
-/// Crate of displays, which only the last layer may name.
+/// The crate for displays, and the layer that alone may use it.
 const DISPLAY: (&str, &str) = ("embedded_graphics_core", "render");
 
-/// Returns a violation for each dependency on a later layer, and one if docs/architecture.md has
-/// no table of the layers.
+/// Returns a violation for each dependency on a later layer, and a violation if
+/// docs/architecture.md has no table of the layers.
 pub(super) fn check(library: &Crate, page: &str) -> Vec<String> {
     let mut violations = Vec::new();
     for (path, module) in &library.modules {
-        // The root declares modules, and tests may use everything.
+        // Skips the root of the library, which only declares modules, and tests, which may use any
+        // module.
         let Some(layer) = path.first().filter(|layer| *layer != "tests") else {
             continue;
         };

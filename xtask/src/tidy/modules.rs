@@ -1,4 +1,4 @@
-//! Modules of a crate and the files that they depend on.
+//! Finds the modules of a crate and the modules that they depend on.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -6,10 +6,10 @@ use std::path::Path;
 use super::names::{ModulePath, Names, Use};
 use super::source::Source;
 
-/// Most re-exports of re-exports that are followed.
+/// Largest length of a chain of re-exports that the search follows.
 const MAX_DEPTH: usize = 16;
 
-/// The modules of a crate by their paths. The root module has an empty path.
+/// The modules of a crate by their paths. The path of the root module is empty.
 pub(super) struct Crate<'s> {
     pub(super) modules: BTreeMap<ModulePath, Module<'s>>,
 }
@@ -26,8 +26,8 @@ pub(super) struct Dependency {
 }
 
 impl<'s> Crate<'s> {
-    /// Collects the files of a folder with a `lib.rs` or `main.rs`. Programs beside a library,
-    /// and those in `bin`, are crates of their own.
+    /// Collects the modules of the crate in a folder with a `lib.rs` or `main.rs`. If there is a
+    /// library, leaves out `main.rs` and the folder `bin`, which are separate crates.
     pub(super) fn new(folder: &str, sources: &'s [Source]) -> Self {
         let library = Path::new(folder).join("lib.rs");
         let has_library = sources.iter().any(|source| source.path == library);
@@ -49,8 +49,8 @@ impl<'s> Crate<'s> {
         Self { modules }
     }
 
-    /// Returns the other modules that define what a module imports and mentions. Re-exports count
-    /// only if the file mentions their names, too.
+    /// Returns the other modules that a module depends on: those that define the items that it
+    /// imports or mentions by path. A re-export counts only if the file also mentions its name.
     pub(super) fn dependencies(&self, module: &ModulePath) -> Vec<Dependency> {
         let Some(Module { names, .. }) = self.modules.get(module) else {
             return Vec::new();
@@ -80,7 +80,8 @@ impl<'s> Crate<'s> {
         others.collect()
     }
 
-    /// Returns the path from the root of the crate, or `None` for a path into another crate.
+    /// Converts a path in `module` to a path from the root of the crate. Returns `None` for a path
+    /// into another crate.
     fn absolute(&self, module: &ModulePath, path: &[String]) -> Option<ModulePath> {
         let (first, rest) = path.split_first()?;
         match first.as_str() {
@@ -124,7 +125,8 @@ impl<'s> Crate<'s> {
         None
     }
 
-    /// Returns the import through which a module has a name that it does not define.
+    /// Returns the `use` declaration by which a module imports a name. Returns `None` if the module
+    /// defines the name or does not have it.
     fn import(&self, module: &ModulePath, name: &str, depth: usize) -> Option<&Use> {
         let names = &self.modules.get(module)?.names;
         if names.items.contains(name) || depth >= MAX_DEPTH {

@@ -1,4 +1,4 @@
-//! Names that a file defines, imports and mentions.
+//! Collects the names that a file defines, imports and mentions.
 
 use std::collections::BTreeSet;
 
@@ -7,16 +7,16 @@ use super::source::Source;
 /// Segments of a path, such as `crate`, `math`, `Real`.
 pub(super) type ModulePath = Vec<String>;
 
-/// Keywords before the name of an item.
+/// Keywords that precede the name of an item.
 const ITEMS: [&str; 8] = [
     "const", "enum", "fn", "static", "struct", "trait", "type", "union",
 ];
 
 /// A `use` declaration of one name.
 pub(super) struct Use {
-    /// Name in this file, or `*`.
+    /// Name that the declaration introduces in this file, or `*`.
     pub(super) name: String,
-    /// Path as written, without a final `*` or `self`.
+    /// Imported path as written, without a final `*` or `self`.
     pub(super) path: ModulePath,
     pub(super) is_public: bool,
     pub(super) line: usize,
@@ -24,12 +24,12 @@ pub(super) struct Use {
 
 #[derive(Default)]
 pub(super) struct Names {
-    /// Items outside of blocks.
+    /// Names of the items that are defined outside of blocks.
     pub(super) items: BTreeSet<String>,
     pub(super) uses: Vec<Use>,
-    /// Paths of several segments outside of `use`, and their lines.
+    /// Paths with at least two segments outside of `use` declarations, with their lines.
     pub(super) paths: Vec<(ModulePath, usize)>,
-    /// First segments of paths, and all other identifiers.
+    /// Mentioned names: the first segments of paths, and all identifiers outside of paths.
     pub(super) mentioned: BTreeSet<String>,
 }
 
@@ -41,10 +41,10 @@ impl Names {
             match source.text(at) {
                 "{" => depth += 1,
                 "}" => depth -= 1,
-                // `use<'a>` is a bound.
+                // `use<'a>` is a bound of a type, not an import.
                 "use" if source.text(at + 1) != "<" => {
                     let before = |distance| at.checked_sub(distance).map(|at| source.text(at));
-                    // `pub use` or `pub(crate) use`.
+                    // The import is public if it is `pub use` or `pub(crate) use`.
                     let is_public = before(1) == Some("pub")
                         || before(1) == Some(")") && before(4) == Some("pub");
                     at = names.read_use(source, at + 1, &[], is_public);
@@ -68,7 +68,7 @@ impl Names {
         names
     }
 
-    /// Reads the path that starts here and returns the index of its last token.
+    /// Reads the path that starts at token `start` and returns the index of its last token.
     fn read_path(&mut self, source: &Source, start: usize) -> usize {
         let mut path = vec![source.text(start).to_owned()];
         let mut at = start;
@@ -80,7 +80,8 @@ impl Names {
         at
     }
 
-    /// Reads a tree of imports below a prefix and returns the index after it.
+    /// Reads a tree of imports whose paths begin with a prefix. Returns the index of the token
+    /// after the tree.
     fn read_use(
         &mut self,
         source: &Source,

@@ -31,12 +31,12 @@ impl Source {
         })
     }
 
-    /// Returns the text of a token, or "" before the first and after the last token.
+    /// Returns the text of the token at an index, or "" if there is no such token.
     pub(super) fn text(&self, index: usize) -> &str {
         self.tokens.get(index).map_or("", |token| &token.text)
     }
 
-    /// Formats a violation at a line.
+    /// Formats a violation of a rule with the file and the line.
     pub(super) fn at(&self, line: usize, violation: &str) -> String {
         format!("{}:{line}: {violation}", self.path.display())
     }
@@ -55,7 +55,7 @@ fn flatten(stream: TokenStream, tokens: &mut Vec<Token>) {
                 if is_inner {
                     return;
                 }
-                // An item ends with its body or a semicolon.
+                // Skips the rest of the item, which ends with its body or a semicolon.
                 trees.by_ref().find(|tree| match tree {
                     TokenTree::Group(group) => group.delimiter() == Delimiter::Brace,
                     tree => tree.to_string() == ";",

@@ -40,7 +40,8 @@ pub(crate) enum Command {
     },
     /// Render an animated scene to a GIF, an animated PNG, or numbered PNGs.
     ///
-    /// The scene's table `animation` has the keyframes; without it the camera makes one orbit.
+    /// The scene's table `animation` has the keyframes. If a scene has no such table, the camera
+    /// makes one orbit.
     Animate(Animate),
     /// Compile a scene to the binary format that microcontrollers decode.
     Compile {
@@ -57,9 +58,11 @@ pub(crate) enum Command {
     Send(Send),
     /// Print the tree of rays behind a pixel's color.
     ///
-    /// Each line is a ray: C camera, R reflected, T transmitted. It shows the object hit, the
-    /// share of the node's color that reaches the camera (weight), and the color of the surface
-    /// without reflected and transmitted light (local). S are the shadow rays to the lights.
+    /// Each line of the tree is a ray. The letter is its kind: C for camera, R for reflected, T for
+    /// transmitted, S for a shadow ray to a light. The line shows the object that the ray hits, the
+    /// share of the color at the hit that reaches the camera (weight), and the color of the surface
+    /// without reflected and transmitted light (local). The line of a shadow ray
+    /// shows the light, and how much of it reaches the surface.
     Explain(Explain),
     /// Render scenes into a directory, with an HTML page that shows them.
     Gallery(Gallery),

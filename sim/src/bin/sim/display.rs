@@ -17,7 +17,7 @@ pub(crate) struct Display {
     pub(crate) format: Format,
     controller: &'static str,
     note: &'static str,
-    /// True if only the circle inscribed in the size is visible.
+    /// True if the display is round: only the inscribed circle of the pixel area is visible.
     is_round: bool,
     /// Colors of a one-bit display.
     theme: BinaryColorTheme,
@@ -29,7 +29,7 @@ const PAPER: BinaryColorTheme = BinaryColorTheme::Custom {
     color_on: Rgb888::new(0xe2, 0xe0, 0xd8),
 };
 
-/// Presets, sorted by size.
+/// Presets of displays, sorted by size.
 pub(crate) const DISPLAYS: [Display; 7] = [
     Display {
         theme: BinaryColorTheme::OledBlue,
@@ -110,7 +110,7 @@ const fn display(
 }
 
 impl Display {
-    /// Returns a display without a color theme or mask.
+    /// Returns a rectangular display without a color theme.
     pub(crate) const fn plain(size: Size, format: Format) -> Self {
         display("plain", (size.width, size.height), format, "", "")
     }

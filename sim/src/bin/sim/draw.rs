@@ -1,4 +1,4 @@
-//! Renders to a simulated display, in its format and order of drawing.
+//! Renders scenes to a simulated display, in its color format and order of drawing.
 
 use std::time::Duration;
 
@@ -15,7 +15,7 @@ use crate::outcome::Outcome;
 use crate::panel::Panel;
 use crate::progress::Progress;
 
-/// Picture on a display, the work that it took, and the time.
+/// A picture on a display, with the counted work and the time of its rendering.
 pub(crate) struct Drawing {
     pub(crate) image: OutputImage<Rgb888>,
     pub(crate) work: Work,
@@ -60,7 +60,7 @@ pub(crate) fn draw_frame(
             renderer.observer().clone()
         }
     };
-    // The default settings do not change the display's values.
+    // The simulator's default output settings do not change the display's values.
     let settings = OutputSettings::default();
     Ok((panel.display.to_rgb_output_image(&settings), work))
 }
@@ -87,7 +87,7 @@ fn draw_passes(
     Ok(renderer.observer().clone())
 }
 
-/// Allocates the two lines of samples that antialiasing needs.
+/// Allocates the two lines of samples that the antialiasing renderer needs.
 pub(crate) fn two_lines(size: Size) -> Vec<AaSample> {
     vec![AaSample::BLACK; 2 * size.width as usize]
 }

@@ -1,4 +1,4 @@
-//! Renders to linear colors, without a display's format.
+//! Renders scenes to linear colors, without converting them to a display's format.
 
 use std::time::Duration;
 
@@ -13,14 +13,14 @@ use crate::draw::two_lines;
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 
-/// Picture in linear colors, the work that it took, and the time.
+/// A picture in linear colors, with the counted work and the time of its rendering.
 pub(crate) struct Linear {
     pub(crate) picture: Picture,
     pub(crate) work: Work,
     pub(crate) time: Duration,
 }
 
-/// Renders with 16-bit linear samples.
+/// Renders a scene with 16-bit linear samples.
 pub(crate) fn linear(
     scene: &PreparedScene<'_>,
     size: Size,

@@ -5,8 +5,9 @@ use whitted::scene::SceneCounts;
 
 /// Returns the size in bytes of a `SceneBuffer` with these capacities.
 ///
-/// The size is a sum of bytes per object, light, material, and pair of light and object. The
-/// function measures them on small buffers, since const generics cannot take the counts.
+/// The size grows by a constant number of bytes per object, per light, per material, and per pair
+/// of a light and an object. The constants are computed from the sizes of small buffers, because
+/// the capacities of a buffer are const generics and `counts` is known only at run time.
 pub(crate) fn memory(counts: SceneCounts) -> usize {
     let SceneCounts {
         objects,

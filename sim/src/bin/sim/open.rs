@@ -23,7 +23,8 @@ impl Scene {
         Self::read(&find(path)?)
     }
 
-    /// Reads a scene from a path. Files that do not end in .toml may be of either kind.
+    /// Reads a scene from a path. A file whose name does not end in .toml may be a scene file or a
+    /// compiled scene.
     pub(crate) fn read(path: &Path) -> Outcome<Self> {
         let name = path.display().to_string();
         if path
@@ -83,7 +84,8 @@ impl Scene {
         }
     }
 
-    /// Returns the type and material of an object; a compiled scene has no names.
+    /// Returns the type and material of an object, or `None` for a compiled scene, which has no
+    /// names.
     pub(crate) fn describe(&self, object: u16) -> Option<String> {
         match self {
             Self::File(file) => file.describe(object),
@@ -92,7 +94,7 @@ impl Scene {
     }
 }
 
-/// Replaces the scene's ray limits by those of the command line.
+/// Replaces the scene's ray limits by those on the command line.
 pub(crate) fn apply_overrides(scene: &mut PreparedScene<'_>, quality: &Quality) -> Outcome {
     if let Some(max_depth) = quality.max_depth {
         let set = scene.set_max_depth(max_depth);
@@ -154,7 +156,8 @@ pub(crate) fn find(path: &Path) -> Outcome<PathBuf> {
     Err(format!("{}: no such scene{}", path.display(), help(path)).into())
 }
 
-/// Returns the help text for an unknown scene: the nearest name, or all names.
+/// Returns the help text for an unknown scene. The text has the nearest scene name, or all names if
+/// none is near.
 fn help(path: &Path) -> String {
     let stem = |path: &Path| Some(path.file_stem()?.to_str()?.to_owned());
     let scenes = all_scenes().unwrap_or_default();

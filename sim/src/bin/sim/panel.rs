@@ -1,7 +1,7 @@
-//! Draw target whose color format is chosen at run time.
+//! A draw target whose color format is chosen at run time.
 //!
-//! The renderer is generic over the color type. A single color type that stores the radiance
-//! avoids compiling the renderer once per format.
+//! The renderer is generic over the color type of the draw target. This draw target has a single
+//! color type, which stores the radiance, so the renderer is not compiled once per color format.
 
 use std::convert::Infallible;
 
@@ -16,7 +16,7 @@ use whitted::{Color, Radiance};
 
 use crate::format::Format;
 
-/// Simulated display of a format.
+/// Simulated display with a color format that is chosen at run time.
 pub(crate) struct Panel {
     pub(crate) display: SimulatorDisplay<Rgb888>,
     pub(crate) format: Format,
@@ -42,7 +42,8 @@ impl whitted::render::DisplayColor for DeferredColor {
 }
 
 impl DeferredColor {
-    /// Converts the color to a format, and back to 24 bits.
+    /// Converts the color to a display format, and then to the 24-bit color that shows it on the
+    /// host.
     fn convert(self, format: Format) -> Rgb888 {
         match format {
             Format::Rgb888 => self.convert_as::<Rgb888>(),

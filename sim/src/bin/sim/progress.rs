@@ -11,7 +11,7 @@ pub(crate) struct Progress {
 }
 
 impl Progress {
-    /// Starts the clock for a number of lines.
+    /// Starts the clock for a rendering of `lines` lines.
     pub(crate) fn new(lines: impl Into<u64>) -> Self {
         Self {
             start: Instant::now(),
@@ -21,7 +21,7 @@ impl Progress {
         }
     }
 
-    /// Counts a finished line.
+    /// Advances the bar by one line.
     pub(crate) fn line(&mut self) {
         self.done += 1;
         if self.start.elapsed() > Duration::from_secs(1) {
@@ -31,7 +31,7 @@ impl Progress {
         }
     }
 
-    /// Removes the bar and returns the elapsed time.
+    /// Removes the progress bar and returns the elapsed time.
     pub(crate) fn finish(self) -> Duration {
         if let Some(bar) = self.bar {
             bar.finish_and_clear();

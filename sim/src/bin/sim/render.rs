@@ -1,4 +1,4 @@
-//! `sim render`, and `sim` without a command.
+//! Implements `sim render`, and `sim` without a command.
 
 use std::path::{Path, PathBuf};
 
@@ -60,7 +60,8 @@ pub(crate) fn render(options: &Render) -> Outcome {
             return Ok(());
         }
         report::stats(&drawing.work, drawing.time)?;
-        // The checksum is defined on linear samples, so the scene is rendered again.
+        // The checksum is defined on 16-bit linear samples, but the picture has the format of the
+        // display, so the scene is rendered a second time.
         library::checksum(&linear(&prepared, display.size, samples)?.picture)
     };
     report::checksum(checksum);

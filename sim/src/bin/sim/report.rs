@@ -24,7 +24,8 @@ pub(crate) fn save(image: &OutputImage<Rgb888>, path: &Path) -> Outcome {
     Ok(())
 }
 
-/// Prints rays, intersection tests, time, and estimates for microcontrollers.
+/// Prints the rays and intersection tests of a rendering, its time, and estimates of the time on
+/// microcontrollers.
 pub(crate) fn stats(work: &Work, time: Duration) -> Outcome {
     let Stats {
         camera,

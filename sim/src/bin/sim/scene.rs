@@ -1,4 +1,4 @@
-//! `sim check` and `sim compile`.
+//! Implements `sim check` and `sim compile`.
 
 use std::fs;
 use std::path::Path;

@@ -11,11 +11,11 @@ use crate::args::Send;
 use crate::open::Scene;
 use crate::outcome::Outcome;
 
-/// Time limit for an answer. A board reads the port after each line that it renders; a line takes
-/// at most two seconds.
+/// Longest wait for the answer of a board. A board reads the port after each line that it renders,
+/// and a line takes at most two seconds.
 const ANSWER_TIMEOUT: Duration = Duration::from_secs(5);
 
-/// Baud rate. USB ignores it, but opening a port requires one.
+/// Baud rate of the serial port. USB ignores the rate, but opening a port requires one.
 const BAUD: u32 = 115_200;
 
 const NO_ANSWER: &str = "the board does not answer
@@ -87,7 +87,7 @@ fn exchange(port: &SerialPort, compiled: &[u8]) -> Result<&'static str, String> 
             }) if received == ticket => {
                 return Err(format!("the board refuses the scene: {why}{REFUSED}"));
             }
-            // An earlier, interrupted transfer may have caused this answer.
+            // A report of a broken transfer may concern an earlier transfer that was interrupted.
             Some(Answer::Broken { why }) => {
                 damaged = Some(format!("the scene did not arrive: {why}{DAMAGED}"));
             }
@@ -97,13 +97,14 @@ fn exchange(port: &SerialPort, compiled: &[u8]) -> Result<&'static str, String> 
     Err(damaged.unwrap_or_else(|| NO_ANSWER.to_owned()))
 }
 
-/// Returns a number that very likely differs from the last transfer's: milliseconds modulo 2^16.
+/// Returns a number for a transfer: the time in milliseconds, modulo 2^16. Two successive transfers
+/// very likely have different numbers.
 fn ticket() -> u16 {
     let since = SystemTime::now().duration_since(UNIX_EPOCH);
     since.unwrap_or_default().as_millis() as u16
 }
 
-/// Reader of the lines that a port receives.
+/// Reads lines from a serial port.
 struct Lines<'p> {
     port: &'p SerialPort,
     /// Bytes received after the last complete line.

@@ -7,10 +7,11 @@ use image::{DynamicImage, ImageBuffer};
 
 use crate::outcome::Outcome;
 
-/// Width in columns, used if the terminal reports a smaller one or none.
+/// Smallest width of a picture in columns. It is used if the terminal reports less, or no width.
 const MIN_WIDTH: u16 = 40;
 
-/// Shows a picture if stdout is a terminal; a pipe would receive escape sequences.
+/// Shows a picture if stdout is a terminal. Otherwise prints nothing, because a file or pipe would
+/// receive escape sequences.
 pub(crate) fn show(picture: &OutputImage<Rgb888>) -> Outcome {
     if !stdout().is_terminal() || variable("TERM") == "dumb" {
         return Ok(());
@@ -32,8 +33,8 @@ pub(crate) fn show(picture: &OutputImage<Rgb888>) -> Outcome {
 
 /// Returns true if the terminal supports kitty's graphics protocol.
 ///
-/// The test reads environment variables. A query to the terminal would block if it does not
-/// answer.
+/// The function only reads environment variables. A query to the terminal would block if the
+/// terminal does not answer.
 fn supports_kitty() -> bool {
     let names = ["TERM", "TERM_PROGRAM"].map(variable);
     names

@@ -8,8 +8,8 @@ const HELP: &str = "this build cannot open windows
   help: install SDL 2 (Debian: apt install libsdl2-dev; macOS: brew install sdl2), then
         cargo run --release --package whitted-sim --features window -- view";
 
-/// Runs `sim view` in a build with the feature `window`, if Cargo started this program. Otherwise
-/// returns an error that shows the command.
+/// Handles `sim view` in a program without the feature `window`. If Cargo started this program,
+/// runs Cargo again with the feature. Otherwise returns an error that shows the command to run.
 pub(crate) fn view(_options: &View) -> Outcome {
     let Some(cargo) = env::var_os("CARGO") else {
         return Err(HELP.into());
@@ -22,7 +22,7 @@ pub(crate) fn view(_options: &View) -> Outcome {
     ]);
     let status = cargo.arg("--").args(env::args_os().skip(1)).status()?;
     match status.code() {
-        // Cargo exits with 101 if the build fails.
+        // Cargo exits with code 101 if the build fails.
         Some(101) => Err(HELP.into()),
         code => exit(code.unwrap_or(1)),
     }

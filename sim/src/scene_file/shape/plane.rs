@@ -24,7 +24,7 @@ fn read(table: &Table<'_>) -> Result<Shape, LoadError> {
     })
 }
 
-/// Reads the clip box; an axis without an interval is unbounded.
+/// Reads the clip box of a plane. The box is unbounded along an axis without an interval.
 fn bounds(table: &Table<'_>) -> Result<ClipBox, LoadError> {
     let Some(value) = table.get("bounds") else {
         return Ok(ClipBox::NONE);

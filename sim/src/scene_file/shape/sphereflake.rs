@@ -35,7 +35,8 @@ fn read(table: &Table<'_>) -> Result<Shape, LoadError> {
     })
 }
 
-/// Reads the basis. Preparing the scene checks that its rows are orthonormal.
+/// Reads the basis of a sphereflake. The library checks that the rows are orthonormal when it
+/// prepares the scene.
 fn frame(rows: &Value<'_>) -> Result<[Vec3<Real>; 3], LoadError> {
     let [u, v, w] = rows.array("three rows [u, v, w]")?;
     Ok([u.vector()?, v.vector()?, w.vector()?])

@@ -1,10 +1,10 @@
-//! Draws a scene with the reference tracer of the tests in `f32`.
+//! Draws a scene in `f32` with the reference tracer of the tests.
 //!
-//! `cargo xtask bench` compares the instruction count of this rig with the fixed-point
-//! renderer in the `headless` rig, for equal scenes, sizes, cores and displays. The reference tracer
-//! has no tables, no culling and no special cases. Floating-point operations and square
-//! roots run in hardware on the M4F, M7 and M33, and in the compiler's routines on the
-//! other cores. No operation is in double precision.
+//! `cargo xtask bench` compares the instruction count of the `float` rig with that of the
+//! fixed-point renderer in the `headless` rig, for equal scenes, sizes, cores and displays.
+//! The reference tracer has no tables, no culling and no special cases. The M4F, M7 and M33
+//! run floating-point operations and square roots in hardware. The other cores run routines
+//! of the compiler for them. No operation is in double precision.
 
 #![no_std]
 #![no_main]

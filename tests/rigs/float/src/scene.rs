@@ -17,7 +17,8 @@ impl SceneStorage {
         objects: Vec::new(),
     };
 
-    /// Decodes the fields of [`Scene`] in declaration order.
+    /// Decodes a scene from `bytes`, which hold the fields of [`Scene`] in declaration
+    /// order.
     ///
     /// # Errors
     /// Returns an error if the data is malformed or a list exceeds its capacity.
@@ -37,9 +38,10 @@ impl SceneStorage {
     }
 }
 
-/// Reads a list and returns the bytes after it.
+/// Reads a list from the start of `bytes` and returns the bytes after the list.
 ///
-/// Items are read one by one: decoding a whole list would need stack for all of it.
+/// The items are read one by one. Decoding the whole list at once would need stack space
+/// for all items.
 fn read_list<'b, T, const N: usize>(
     list: &mut Vec<T, N>,
     bytes: &'b [u8],

@@ -1,4 +1,4 @@
-//! Draws a compiled scene at a given size and prints a report, on QEMU's mps2 boards.
+//! Draws a compiled scene at a given size on QEMU's mps2 boards and prints a report.
 
 #![no_std]
 #![no_main]
@@ -15,8 +15,9 @@ use whitted::{DecodeError, PreparedScene, Renderer, SceneBuffer};
 type Buffer = SceneBuffer<64, 8, 64>;
 type File = [u8; 16 * 1024];
 
-/// Scene, renderer and buffers are static, so the measured stack contains only call
-/// frames. Decoding, setup and drawing are separate functions that do not share a frame.
+/// The scene, the renderer and the buffers are static, so the measured stack contains only
+/// call frames. Decoding, setup and drawing are separate functions, so they do not share a
+/// call frame.
 #[entry]
 fn main() -> ! {
     static mut BUFFER: Buffer = SceneBuffer::new();

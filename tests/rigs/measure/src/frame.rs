@@ -15,7 +15,8 @@ pub struct Report {
 }
 
 impl Report {
-    /// Creates a report from the instructions on the stopwatch and the stack used so far.
+    /// Creates a report with the instruction count of the stopwatch and the stack used so
+    /// far.
     pub fn new(size: Size, stopwatch: &Stopwatch) -> Self {
         Self {
             size,
@@ -25,7 +26,7 @@ impl Report {
         }
     }
 
-    /// Adds the checksum of the frame.
+    /// Adds the checksum of the frame to the report.
     pub fn with_checksum(self, checksum: u32) -> Self {
         Self {
             checksum: Some(checksum),
@@ -62,7 +63,8 @@ where
 
 /// Traces the frame for its checksum.
 ///
-/// Out of line: `cargo xtask profile` stops profiling where this function starts.
+/// The function is kept out of line, because `cargo xtask profile` stops profiling where
+/// this function starts.
 #[inline(never)]
 fn checksum(renderer: &mut Renderer<'_>) -> u32 {
     let mut checksum = Checksum::default();

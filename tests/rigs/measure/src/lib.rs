@@ -1,8 +1,8 @@
 //! Measurements that firmware prints about itself.
 //!
-//! Firmware draws a frame once and measures it, then traces the frame again for its
-//! checksum, so that the checksum does not affect the measurement. A report consists of
-//! `key: value` lines. On a UART, the line [`END`] follows.
+//! Firmware draws a frame once and measures the drawing. It then traces the frame again for
+//! its checksum, so that the checksum does not affect the measurement. A report consists of
+//! `key: value` lines. On a UART, the line [`END`] ends the report.
 
 #![no_std]
 

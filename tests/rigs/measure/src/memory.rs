@@ -12,7 +12,8 @@ unsafe extern "C" {
     static _stack_start: u32;
 }
 
-/// Returns the flash size in bytes: vectors, code, constants and initial values of statics.
+/// Returns the size of the firmware in flash, in bytes. The size includes the vectors, the
+/// code, the constants and the initial values of statics.
 pub(crate) fn flash() -> usize {
     distance(&raw const __vector_table, &raw const __sidata)
         + distance(&raw const __sdata, &raw const __edata)

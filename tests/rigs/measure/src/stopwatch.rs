@@ -1,6 +1,6 @@
 use cortex_m::peripheral::{SYST, syst::SystClkSource};
 
-/// SysTick is a 24-bit counter.
+/// Mask for the values of SysTick, which is a 24-bit counter.
 const MASK: u32 = 0x00FF_FFFF;
 
 /// Counts instructions with SysTick, under QEMU with `-icount shift=0`.
@@ -8,16 +8,16 @@ const MASK: u32 = 0x00FF_FFFF;
 /// With `-icount shift=0`, each instruction takes one nanosecond of virtual time, so the
 /// count is equal in every run. On a real chip the stopwatch measures nanoseconds.
 pub struct Stopwatch {
-    /// Owned, so that no other code can reconfigure the timer.
+    /// The stopwatch owns the timer, so that no other code can reconfigure it.
     _systick: SYST,
     nanoseconds_per_tick: u32,
-    /// SysTick value at the last lap; SysTick counts down.
+    /// Value of SysTick at the last lap. SysTick counts down.
     last: u32,
     ticks: u64,
 }
 
 impl Stopwatch {
-    /// Starts a stopwatch; `nanoseconds_per_tick` is the period of the core clock.
+    /// Starts a stopwatch. `nanoseconds_per_tick` is the period of the core clock.
     pub fn new(mut systick: SYST, nanoseconds_per_tick: u32) -> Self {
         systick.set_clock_source(SystClkSource::Core);
         systick.set_reload(MASK);
@@ -39,8 +39,8 @@ impl Stopwatch {
 
     /// Adds the time since the last lap.
     ///
-    /// A lap must be shorter than 2^24 ticks, the range of SysTick: 0.67 to 1.3 billion
-    /// instructions, depending on the clock.
+    /// A lap must be shorter than 2^24 ticks, the range of SysTick. Depending on the clock,
+    /// that is 0.67 to 1.3 billion instructions.
     pub fn lap(&mut self) {
         let now = SYST::get_current();
         self.ticks += u64::from(self.last.wrapping_sub(now) & MASK);

@@ -1,5 +1,5 @@
-//! Draws frames of an animated scene in flash and counts the instructions before each
-//! frame: evaluating the animation, preparing the scene, and setting the camera.
+//! Draws frames of an animated scene that is stored in flash. Before each frame, counts the
+//! instructions to evaluate the animation, prepare the scene, and set the camera.
 
 #![no_std]
 #![no_main]

@@ -24,7 +24,7 @@ pub fn exit() -> ! {
 
 /// Returns the command line that QEMU passes to the firmware.
 pub(crate) fn command_line(buffer: &mut [u8]) -> Option<&CStr> {
-    // The request is in cells, because the host overwrites the length.
+    // The request consists of `Cell`s, because the host overwrites the length.
     let request = [buffer.as_mut_ptr().expose_provenance(), buffer.len()].map(Cell::new);
     // SAFETY: SYS_GET_CMDLINE takes a writable buffer and its length.
     let result = unsafe { cortex_m_semihosting::syscall(GET_CMDLINE, &request) };

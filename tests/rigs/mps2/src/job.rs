@@ -14,10 +14,10 @@ pub struct Job<'b> {
 }
 
 impl<'b> Job<'b> {
-    /// Reads the job from the command line, and its file into `buffer`.
+    /// Reads the job from the command line and loads the scene file into `buffer`.
     ///
-    /// Out of line, so that the caller's stack frame does not include the 512 bytes of the
-    /// command line.
+    /// The function is kept out of line, so that the caller's stack frame does not include
+    /// the 512 bytes of the command line.
     ///
     /// # Errors
     /// Returns an error if the command line is malformed or the file cannot be read.
@@ -33,7 +33,7 @@ impl<'b> Job<'b> {
     }
 }
 
-/// Parses "WIDTHxHEIGHT PATH".
+/// Parses a command line of the form "WIDTHxHEIGHT PATH".
 fn parse(command_line: &CStr) -> Option<(Size, &CStr)> {
     let (first, _) = command_line.to_str().ok()?.split_once(' ')?;
     let (width, height) = first.split_once('x')?;

@@ -15,5 +15,6 @@ pub use host::{exit, print};
 pub use job::{Job, JobError};
 pub use null_display::NullDisplay;
 
-/// Period of the core clock: 20 MHz on the mps2-an505, 25 MHz on the other machines.
+/// Period of the core clock. The clock runs at 20 MHz on the mps2-an505 and at 25 MHz on
+/// the other machines.
 pub const NANOSECONDS_PER_CLOCK: u32 = if cfg!(an505) { 50 } else { 40 };

@@ -7,7 +7,7 @@ use embedded_graphics_core::{pixelcolor::Rgb565, prelude::*, primitives::Rectang
 pub struct NullDisplay(Size);
 
 impl NullDisplay {
-    /// Creates a display of this size.
+    /// Creates a display of the given size.
     pub fn new(size: Size) -> Self {
         Self(size)
     }
@@ -35,7 +35,7 @@ impl DrawTarget for NullDisplay {
     where
         I: IntoIterator<Item = Rgb565>,
     {
-        // Every color must be used, or the optimizer removes the rendering.
+        // Every color must be used: otherwise the optimizer removes the rendering.
         let combined = colors
             .into_iter()
             .fold(0, |combined, color| combined ^ color.into_storage());

@@ -16,7 +16,7 @@ use whitted::{Color, PreparedScene, Renderer};
 
 use crate::text;
 
-/// Display whose operations succeed or fail, unknown to the compiler.
+/// Display with operations that may succeed or fail. The compiler cannot know the result.
 struct UnknownDisplay<C>(Option<C>);
 
 /// Error of [`UnknownDisplay`].
@@ -84,7 +84,7 @@ pub(crate) fn draw_on_all(scene: &PreparedScene<'_>) {
     black_box((renderer.observer(), renderer.size()));
 }
 
-/// Draws in one color type.
+/// Calls the drawing functions with the color type `C`.
 fn draw<C>(scene: &PreparedScene<'_>)
 where
     C: PixelColor + whitted::render::DisplayColor + IntoStorage<Storage: Into<u32>>,
@@ -99,9 +99,10 @@ where
     }
 }
 
-/// Calls functions whose code hardly depends on the color type, in one color type.
+/// Calls the functions whose code hardly depends on the color type. The color type is
+/// `Rgb565`.
 ///
-/// Calling these functions in all color types would exceed the flash of the machine.
+/// Calling these functions with all color types would exceed the flash of the machine.
 fn draw_rgb565(scene: &PreparedScene<'_>) {
     let mut display = UnknownDisplay::<Rgb565>(None);
     draw_in_steps(&mut Renderer::new(scene, size()), &mut display);

@@ -1,4 +1,4 @@
-//! Proves that the library cannot panic: this program links only without panics.
+//! Proves that the library cannot panic: this program links only if it contains no panic.
 //!
 //! The panic handler calls an undefined function, so any reachable panic is a linker
 //! error. `cargo xtask test nopanic` links the program for each instruction set. The

@@ -8,7 +8,8 @@ use whitted::animation::{AnimatedScene, Animation, Interpolation, Keyframe, Targ
 use crate::scenes::{Buffer, SCENE, number};
 use crate::{displays, text};
 
-/// `black_box` of a reference hides the content of this animation from the compiler.
+/// Animation that is passed by reference through `black_box`, which hides its content from
+/// the compiler.
 static ANIMATION: Animation = Animation {
     duration: Real::ZERO,
     looping: true,

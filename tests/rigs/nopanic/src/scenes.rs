@@ -13,8 +13,8 @@ use crate::{displays, text};
 
 pub(crate) type Buffer = SceneBuffer<8, 2, 4>;
 
-/// `black_box` of a reference hides the content of this scene from the compiler: all
-/// shapes, counts and numbers.
+/// Scene that is passed by reference through `black_box`, which hides its content from the
+/// compiler: all shapes, counts and numbers.
 pub(crate) static SCENE: Scene = Scene::new(Camera::new(ORIGIN, ORIGIN, Real::ZERO));
 const ORIGIN: Vec3<Real> = Vec3::new(Real::ZERO, Real::ZERO, Real::ZERO);
 

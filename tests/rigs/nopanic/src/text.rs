@@ -3,7 +3,7 @@
 use core::fmt::{self, Display, Write};
 use core::hint::black_box;
 
-/// Text output that succeeds or fails, unknown to the compiler.
+/// Text output that may succeed or fail. The compiler cannot know the result.
 struct UnknownOutput;
 
 impl Write for UnknownOutput {

@@ -21,10 +21,10 @@ fn main() -> ! {
     mps2::exit();
 }
 
-/// Returns the number of compared pairs.
+/// Compares the operations for all pairs and returns the number of pairs.
 ///
 /// # Errors
-/// Returns the first pair with a wrong result.
+/// Returns the first pair for which an operation has a wrong result.
 fn compare() -> Result<u32, (u32, u32)> {
     let mut pairs = 0;
     for a in edge_values() {
@@ -33,7 +33,7 @@ fn compare() -> Result<u32, (u32, u32)> {
             check_pair(a, b)?;
         }
     }
-    // Random pairs by xorshift64 (Marsaglia, 2003).
+    // The random pairs are from the generator xorshift64 (Marsaglia, 2003).
     let mut state = 1_u64;
     for _ in 0..RANDOM_PAIRS {
         state ^= state << 13;

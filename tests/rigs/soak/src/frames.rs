@@ -7,7 +7,8 @@ pub(crate) const SIZE: [u32; 2] = [32, 24];
 
 /// Returns the time of a frame, in seconds.
 ///
-/// With a step of 0.0371 s and an animation of 2 s, the first 20,000 frames all differ.
+/// The frames are 0.0371 s apart and the animation takes 2 s, so the first 20,000 frames
+/// all differ.
 pub(crate) fn time(frame: u16) -> Real {
     const STEP: Real = Real::lit("0.0371");
     STEP * Real::from(frame)

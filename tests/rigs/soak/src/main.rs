@@ -1,4 +1,4 @@
-//! Draws animation frames in an endless loop. Prints for each frame its number, its
+//! Draws animation frames in an endless loop. For each frame, prints the frame number, the
 //! checksum, and the deepest stack usage so far in bytes.
 
 #![no_std]
@@ -36,7 +36,7 @@ fn main() -> ! {
     }
 }
 
-/// Draws a frame and returns its checksum; `None` if the scene cannot be prepared.
+/// Draws a frame and returns its checksum, or `None` if the scene cannot be prepared.
 fn draw(
     frame: u16,
     animated: &mut AnimatedScene<5, 1>,

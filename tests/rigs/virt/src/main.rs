@@ -1,7 +1,7 @@
 //! Draws a compiled scene on QEMU's RISC-V virt machine and prints the picture checksum.
 //!
-//! QEMU loads the job into memory: width, height and scene length as 32-bit words, and
-//! the compiled scene 4 KB above.
+//! QEMU loads the job into memory. The job consists of width, height and scene length as
+//! 32-bit words. The compiled scene follows 4 KB above the start of the job.
 
 #![no_std]
 #![no_main]
@@ -21,17 +21,17 @@ const SCENE: *const u8 = 0x8100_1000_u32 as _;
 
 /// Transmit register of the UART.
 const UART: *mut u8 = 0x1000_0000_u32 as _;
-/// Register of the SiFive test device: exits QEMU.
+/// Register of the SiFive test device. Writing to it exits QEMU.
 const FINISHER: *mut u32 = 0x0010_0000_u32 as _;
 const SUCCESS: u32 = 0x5555;
 
 #[entry]
 fn main() -> ! {
     // SAFETY: QEMU writes the job before it starts the core. The job is outside the memory
-    // of memory.x, so the program does not overwrite it.
+    // that memory.x defines, so the program does not overwrite the job.
     let [width, height, length] = unsafe { JOB.read_volatile() };
-    // SAFETY: QEMU loads `length` bytes of scene at this address before the core starts.
-    // The program does not write to them.
+    // SAFETY: QEMU loads the `length` bytes of the scene at this address before the core
+    // starts. The program does not write to these bytes.
     let scene = unsafe { core::slice::from_raw_parts(SCENE, length as usize) };
     let mut buffer = SceneBuffer::<64, 8, 64>::new();
     _ = match buffer.decode(scene) {
@@ -63,8 +63,8 @@ struct Uart;
 impl Write for Uart {
     fn write_str(&mut self, text: &str) -> fmt::Result {
         for byte in text.bytes() {
-            // SAFETY: this is the UART register of the virt machine. QEMU is always ready to
-            // transmit.
+            // SAFETY: `UART` is the transmit register of the virt machine. QEMU is always
+            // ready to transmit.
             unsafe { UART.write_volatile(byte) }
         }
         Ok(())
@@ -72,7 +72,7 @@ impl Write for Uart {
 }
 
 fn exit() -> ! {
-    // SAFETY: this is the register of the test device of the virt machine.
+    // SAFETY: `FINISHER` is the register of the test device in the virt machine.
     unsafe { FINISHER.write_volatile(SUCCESS) }
     loop {}
 }

@@ -19,7 +19,7 @@ pub extern "C" fn reserve(length: usize) -> *mut u8 {
     })
 }
 
-/// Returns the checksum of the picture; 0 if the scene cannot be decoded.
+/// Returns the checksum of the picture, or 0 if the scene cannot be decoded.
 #[unsafe(no_mangle)]
 pub extern "C" fn checksum(width: u32, height: u32) -> u32 {
     let mut buffer = Box::new(SceneBuffer::<64, 8, 64>::new());

@@ -14,8 +14,8 @@ use crate::outcome::Outcome;
 /// Unit of frame delays: 1/1000 s.
 const UNITS_PER_SECOND: u16 = 1000;
 
-/// Writer of an animated PNG with 24-bit colors. Each frame after the first has only the area
-/// that changed.
+/// Writes an animated PNG with 24-bit colors. Each frame after the first stores only the area that
+/// changed.
 struct Apng {
     path: PathBuf,
     writer: png::Writer<BufWriter<File>>,
@@ -33,7 +33,7 @@ pub(super) fn film(path: &Path, size: Size, schedule: &Schedule) -> Outcome<Box<
         encoder.set_color(png::ColorType::Rgb);
         encoder.set_depth(png::BitDepth::Eight);
         encoder.set_compression(png::Compression::High);
-        // 0 plays means that the animation repeats without end.
+        // In APNG, a number of plays of 0 repeats the animation without end.
         encoder.set_animated(frames as u32, u32::from(!schedule.looping))?;
         encoder.write_header()
     };

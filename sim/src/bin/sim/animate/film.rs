@@ -2,12 +2,12 @@ use std::path::Path;
 
 use crate::outcome::Outcome;
 
-/// Writer of the frames of an animation, in order.
+/// Writes the frames of an animation to a file, in order.
 pub(super) trait Film {
-    /// Adds the next frame: red, green and blue of each pixel.
+    /// Adds the next frame. `pixels` has three bytes per pixel: red, green and blue.
     fn add(&mut self, pixels: &[u8]) -> Outcome;
 
-    /// Finishes the file.
+    /// Completes the animation's file.
     fn finish(self: Box<Self>) -> Outcome;
 }
 

@@ -15,7 +15,7 @@ use crate::outcome::Outcome;
 /// Unit of frame delays: 1/100 s.
 const UNITS_PER_SECOND: u32 = 100;
 
-/// Writer of a GIF. Keeps all frames until the end, since the palette depends on all of them.
+/// Writes a GIF. Keeps all frames until the end, because they share one palette.
 struct Gif {
     path: PathBuf,
     file: BufWriter<File>,
@@ -54,7 +54,7 @@ impl Film for Gif {
 
 impl Gif {
     fn write(self) -> Result<(), EncodingError> {
-        // The command line limits sides to 8192.
+        // A side fits 16 bits, because the command line limits it to 8192 pixels.
         let [width, height] = [self.size.width, self.size.height].map(|side| side as u16);
         let mut palette = Palette::new(&self.frames);
         let mut encoder = Encoder::new(self.file, width, height, &palette.colors())?;
@@ -83,8 +83,8 @@ impl Gif {
     }
 }
 
-/// Returns the area that differs from the previous frame, and its color indices. Unchanged pixels
-/// in the area are transparent.
+/// Returns the area of a frame that differs from the previous frame, and the color indices of its
+/// pixels. Unchanged pixels in the area are transparent.
 fn difference(
     previous: Option<&[u8]>,
     current: &[u8],

@@ -4,24 +4,24 @@ use std::collections::{BTreeSet, HashMap};
 
 use color_quant::NeuQuant;
 
-/// Number of colors; the 256th index is reserved for transparent pixels.
+/// Number of colors in a GIF palette. The 256th index is reserved for transparent pixels.
 const COLORS: usize = 255;
 
-/// Number of pixels that the neural net is trained on.
+/// Number of pixels on which the neural net that selects the palette is trained.
 const TRAINING_PIXELS: usize = 1 << 19;
 
-/// Palette of all frames. A palette per frame would make static parts flicker.
+/// One palette for all frames of a GIF. If each frame had its own, static parts would flicker.
 pub(super) struct Palette {
     colors: Vec<u8>,
-    /// Palette indices of colors that were looked up before.
+    /// Cache of the palette indices of colors.
     cache: HashMap<[u8; 3], u8>,
     /// Neural net that maps colors to indices; `None` if every color is in the palette.
     net: Option<NeuQuant>,
 }
 
 impl Palette {
-    /// Creates the palette of some frames: all their colors if there are at most 255, else colors
-    /// that a neural net selects (Dekker 1994).
+    /// Creates the palette for frames. If they have at most 255 colors, the palette has them all.
+    /// Otherwise a neural net selects 255 colors (Dekker 1994).
     pub(super) fn new(frames: &[Vec<u8>]) -> Self {
         let pixels = || frames.iter().flat_map(|frame| frame.as_chunks::<3>().0);
         let mut distinct = BTreeSet::new();
@@ -51,17 +51,18 @@ impl Palette {
         }
     }
 
-    /// Returns red, green and blue of each color, followed by the transparent one.
+    /// Returns the palette as three bytes per color (red, green, blue). The transparent color is
+    /// last.
     pub(super) fn colors(&self) -> Vec<u8> {
         [&self.colors[..], &[0; 3]].concat()
     }
 
-    /// Returns the index of transparent pixels.
+    /// Returns the palette index that marks transparent pixels.
     pub(super) fn transparent(&self) -> u8 {
         (self.colors.len() / 3) as u8
     }
 
-    /// Returns the index of the nearest color for each pixel.
+    /// Returns the index of the nearest palette color for each pixel of a frame.
     pub(super) fn indices(&mut self, frame: &[u8]) -> Vec<u8> {
         let (pixels, _) = frame.as_chunks::<3>();
         let net = &self.net;

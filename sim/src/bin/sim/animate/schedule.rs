@@ -7,10 +7,10 @@ use crate::outcome::Outcome;
 
 const DEFAULT_FPS: u16 = 20;
 
-/// Limit on the number of frames, since more would take days to render.
+/// Largest number of frames of an animation. More frames would take days to render.
 const MAX_FRAMES: i64 = 10_000;
 
-/// Times and duration of the frames.
+/// Times of the frames of an animation, and the duration of one frame.
 pub(super) struct Schedule {
     /// Time of each frame, in seconds from the start of the animation.
     pub(super) times: Vec<Real>,
@@ -23,9 +23,9 @@ pub(super) struct Schedule {
 impl Schedule {
     /// Creates the schedule for a frame rate and a number of frames.
     ///
-    /// If one of the two is given, the frames cover the whole animation. If both are given, the
-    /// frames start at 0 and may cover a part of it. A loop leaves out the frame at the end, which
-    /// equals the first one; other animations include it.
+    /// If only the rate or only the number is given, the frames cover the whole animation. If both
+    /// are given, the frames start at time 0 and may cover only a part of the animation. A looping
+    /// animation leaves out its last frame, which equals the first; other animations include it.
     pub(super) fn new(
         animation: &FileAnimation,
         fps: Option<u16>,
@@ -68,7 +68,8 @@ impl Schedule {
 
     /// Returns the duration of a frame in units of 1/`per_second` s.
     ///
-    /// The end of each frame is rounded, not its duration, so rounding errors do not add up.
+    /// Rounds the time at which each frame ends and returns the difference to the previous end, so
+    /// the rounding errors of durations do not add up.
     pub(super) fn delay(&self, frame: usize, per_second: u32) -> u16 {
         let end = |frames: usize| to_units(self.interval * Real::from_num(frames), per_second);
         let delay = end(frame + 1) - end(frame);

@@ -1,4 +1,5 @@
-//! Options that several commands share: size, ray limits, display format, order of drawing.
+//! Command-line options that several commands share: picture size, ray limits, display format, and
+//! order of drawing.
 
 use clap::{ValueEnum, value_parser};
 use embedded_graphics::geometry::Size;
@@ -22,7 +23,7 @@ pub(crate) struct Quality {
     pub(crate) min_weight: Option<Real>,
 }
 
-/// Conversion of linear colors to the display's values.
+/// Options for converting linear colors to a display's values.
 #[derive(Clone, Copy, Debug, Default, clap::Args)]
 pub(crate) struct DisplayOptions {
     /// Color format of the display.
@@ -37,12 +38,12 @@ pub(crate) struct DisplayOptions {
 }
 
 impl DisplayOptions {
-    /// Returns the options with another format.
+    /// Returns these options with another display format.
     pub(crate) fn with_format(self, format: Format) -> Self {
         Self { format, ..self }
     }
 
-    /// Returns the transfer function and dithering in the library's form.
+    /// Returns the transfer function and dithering as the library's [`Output`].
     pub(crate) fn output(self) -> Output {
         Output {
             transfer: match self.transfer {
@@ -57,7 +58,7 @@ impl DisplayOptions {
     }
 }
 
-/// Order of drawing, number of passes, and antialiasing.
+/// Options for the order of drawing, the number of passes, and antialiasing.
 #[derive(Clone, Copy, Debug, clap::Args)]
 pub(crate) struct Passes {
     /// Order in which the display receives its pixels.
@@ -79,7 +80,7 @@ impl Passes {
         self.antialias.map(Into::into)
     }
 
-    /// Returns the side of the blocks of each pass, in pixels.
+    /// Returns the side of the square blocks that each pass draws, in pixels.
     pub(crate) fn blocks(&self) -> &'static [u32] {
         let blocks: &[u32] = match self.order {
             Order::Scanlines => &[1],

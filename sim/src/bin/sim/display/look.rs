@@ -9,8 +9,8 @@ use super::Display;
 use crate::format::Format;
 
 impl Display {
-    /// Returns the picture as the display looks, with its theme and mask. Each display pixel
-    /// becomes a square with sides of `scale` pixels.
+    /// Returns the picture as it looks on the display: in the colors of the display, and black
+    /// outside a round display. Each display pixel becomes a square of `scale` by `scale` pixels.
     pub(crate) fn appearance(
         &self,
         image: &OutputImage<Rgb888>,
@@ -74,7 +74,8 @@ mod tests {
         let (black, white) = ([0; 3], [255; 3]);
         assert_eq!([pixel(&image, 0, 0), pixel(&image, 239, 239)], [black; 2]);
         assert_eq!([pixel(&image, 120, 0), pixel(&image, 0, 120)], [white; 2]);
-        // The circle crosses the diagonal at 120 - 119.5 * sqrt(1/2), about 35.5.
+        // The edge of a round display of 240x240 pixels crosses the diagonal at x = y =
+        // 120 - 119.5 * sqrt(1/2), about 35.5.
         assert_eq!(
             [pixel(&image, 34, 34), pixel(&image, 36, 36)],
             [black, white]

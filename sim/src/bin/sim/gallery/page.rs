@@ -4,7 +4,7 @@ use embedded_graphics::geometry::Size;
 
 use crate::number::grouped;
 
-/// Picture on the page.
+/// A picture on the HTML page of the gallery.
 pub(super) struct Entry {
     pub(super) title: String,
     /// File name, relative to the page.
@@ -30,7 +30,7 @@ const HEAD: &str = r#"<!DOCTYPE html>
 <main>
 "#;
 
-/// Returns the HTML page. It depends on no file other than the pictures.
+/// Returns the HTML page of the gallery. The page needs no files except the pictures.
 pub(super) fn page(entries: &[Entry], Size { width, height }: Size) -> String {
     let mut page = HEAD.to_owned();
     for Entry { title, file, rays } in entries {

@@ -25,7 +25,7 @@ pub(super) struct Sheet {
 }
 
 impl Sheet {
-    /// Creates a sheet for a number of pictures.
+    /// Creates a contact sheet for a number of pictures.
     pub(super) fn new(pictures: usize, size: Size) -> Self {
         let pictures = pictures as u32;
         let columns = pictures.clamp(1, COLUMNS);
@@ -41,7 +41,7 @@ impl Sheet {
         }
     }
 
-    /// Adds the thumbnail of the next picture.
+    /// Adds the thumbnail of the next picture to the sheet.
     pub(super) fn add(&mut self, image: &OutputImage<Rgb888>) -> Outcome {
         let cell = Size::new(self.count % self.columns, self.count / self.columns);
         let margin = Size::new_equal(MARGIN);
@@ -53,13 +53,13 @@ impl Sheet {
             .fill_contiguous(&area, thumbnail(image, self.thumbnail))?)
     }
 
-    /// Returns the sheet as a picture.
+    /// Returns the contact sheet as a picture.
     pub(super) fn image(&self) -> OutputImage<Rgb888> {
         self.display.to_rgb_output_image(&OutputSettings::default())
     }
 }
 
-/// Returns the largest thumbnail size with the aspect ratio of a picture.
+/// Returns the largest allowed thumbnail size that keeps the aspect ratio of a picture.
 fn thumbnail_size(picture: Size) -> Size {
     let Size { width, height } = picture;
     let scaled = |side: u32, to: u32, from: u32| (side * to / from).max(1);

@@ -4,8 +4,8 @@ use embedded_graphics_simulator::OutputImage;
 
 /// Returns the pixels of a picture scaled to another size, row by row.
 ///
-/// Each pixel is the mean of the area that it covers. The values are linear, so no gamma
-/// correction is needed.
+/// Each pixel of the result is the mean of the area that it covers in the picture. The values are
+/// linear, so no gamma correction is needed.
 pub(super) fn thumbnail(image: &OutputImage<Rgb888>, size: Size) -> impl Iterator<Item = Rgb888> {
     let buffer = image.as_image_buffer();
     let (width, height) = buffer.dimensions();
@@ -27,10 +27,10 @@ pub(super) fn thumbnail(image: &OutputImage<Rgb888>, size: Size) -> impl Iterato
     })
 }
 
-/// Returns the source pixels that target pixel `index` of a line covers, each with its weight.
+/// Scales a line of `from` source pixels to `to` target pixels. Returns the source pixels that the
+/// target pixel `index` covers, each with its weight.
 ///
-/// The line has `from` source pixels and `to` target pixels. A fully covered source pixel has a
-/// weight of `to`.
+/// A fully covered source pixel has the weight `to`, a partly covered one less.
 fn covered(index: u32, from: u32, to: u32) -> impl Iterator<Item = (u32, u64)> {
     let [index, from, to] = [index, from, to].map(u64::from);
     let (start, end) = (index * from, (index + 1) * from);

@@ -11,15 +11,15 @@ use crate::draw::two_lines;
 use crate::memory::memory;
 use crate::panel::Panel;
 
-/// Rays per step: a few milliseconds.
+/// Rays per drawing step. A step takes a few milliseconds.
 const STEP: Step = Step::Rays(2000);
 
-/// Picture that is drawn in steps.
+/// A picture that is drawn in steps, so that the window stays responsive.
 pub(super) struct Frame {
     panel: Panel,
     display: Display,
     drawing: RenderProgress,
-    /// Antialiasing to be applied once the picture is drawn without it.
+    /// Antialiasing, applied after the picture was drawn without antialiasing.
     edges: Option<SampleCount>,
     /// Work done so far.
     pub(super) work: Work,
@@ -44,7 +44,7 @@ impl Frame {
         }
     }
 
-    /// Restarts drawing. The old picture stays until new pixels replace it.
+    /// Restarts the drawing. The old picture stays until new pixels replace it.
     pub(super) fn restart(
         &mut self,
         scene: &PreparedScene<'_>,
@@ -68,7 +68,7 @@ impl Frame {
         };
     }
 
-    /// Draws the next step.
+    /// Draws the next step of the picture.
     pub(super) fn step(&mut self, scene: &PreparedScene<'_>, output: Output) {
         if self.drawing.is_complete() {
             return self.smooth(scene, output);
@@ -80,8 +80,8 @@ impl Frame {
         self.work = renderer.observer().clone();
     }
 
-    /// Redraws the whole picture with antialiasing, if requested. Takes a few tenths of a second,
-    /// since antialiased lines cannot be drawn in separate steps.
+    /// Redraws the whole picture with antialiasing, if requested. The call takes a few tenths of a
+    /// second, because antialiased lines cannot be drawn in separate steps.
     fn smooth(&mut self, scene: &PreparedScene<'_>, output: Output) {
         let Some(samples) = self.edges.take() else {
             return;
@@ -89,7 +89,7 @@ impl Frame {
         let (size, work) = (self.panel.size(), Work::new(scene, self.panel.size()));
         let mut lines = two_lines(size);
         let smooth = AntialiasedRenderer::with_observer(scene, size, samples, &mut lines, work);
-        // Pictures too large for the antialiasing renderer stay without antialiasing.
+        // A picture that is too large for the antialiasing renderer is not antialiased.
         if let Ok(mut smooth) = smooth {
             smooth.set_output(output);
             let Ok(()) = smooth.draw(&mut self.panel);
@@ -112,7 +112,7 @@ impl Frame {
     pub(super) fn percent(&self) -> u64 {
         let Size { width, height } = self.panel.size();
         let pixels = u64::from(width) * u64::from(height);
-        // Antialiasing traces several camera rays per pixel.
+        // The share is limited to 100 %, because antialiasing traces several camera rays per pixel.
         (u64::from(self.work.stats.camera) * 100 / pixels).min(100)
     }
 }

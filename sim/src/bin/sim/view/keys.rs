@@ -1,4 +1,4 @@
-/// Action of a key.
+/// Action of a key in `sim view`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Key {
     Left,
@@ -22,14 +22,14 @@ pub(super) enum Key {
     Quit,
 }
 
-/// Actions by SDL's names of keys.
+/// SDL's names of keys, and the actions of the keys.
 const NAMES: [(&str, Key); 24] = [
     ("Left", Key::Left),
     ("Right", Key::Right),
     ("Up", Key::Up),
     ("Down", Key::Down),
     ("+", Key::Closer),
-    // The unshifted key of + on US keyboards.
+    // On US keyboards, the key of `+` without Shift is `=`.
     ("=", Key::Closer),
     ("Keypad +", Key::Closer),
     ("-", Key::Farther),

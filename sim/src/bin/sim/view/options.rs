@@ -8,19 +8,20 @@ use crate::args::Order;
 use crate::display::{DISPLAYS, Display};
 use crate::format::Format;
 
-/// Options that keys change.
+/// Options of `sim view` that the user changes by keys.
 pub(super) struct Options {
     pub(super) displays: Cycle<Display>,
     pub(super) orders: Cycle<Order>,
     pub(super) dithers: Cycle<Dither>,
     pub(super) transfers: Cycle<Transfer>,
-    /// Rays per antialiased pixel; `None` without antialiasing.
+    /// Rays per antialiased pixel, or `None` without antialiasing.
     pub(super) edges: Cycle<Option<SampleCount>>,
     pub(super) boards: Cycle<Board>,
 }
 
 impl Options {
-    /// Creates the options. The plain display is first in the list; `display` is selected if given.
+    /// Creates the options. The list of displays begins with the display `plain`. Selects `display`
+    /// if given, else `plain`.
     pub(super) fn new(plain: Display, display: Option<Display>) -> Self {
         let [board, boards @ ..] = BOARDS;
         Self {
@@ -33,7 +34,7 @@ impl Options {
         }
     }
 
-    /// Selects the next format, even if the real display does not support it.
+    /// Selects the next color format, even if the real display does not support the format.
     pub(super) fn next_format(&mut self) {
         let display = self.displays.current_mut();
         let formats = Format::value_variants();
@@ -50,7 +51,7 @@ impl Options {
         }
     }
 
-    /// Describes the options, except the board.
+    /// Returns a description of all options except the board.
     pub(super) fn text(&self) -> String {
         let display = self.displays.current();
         let Size { width, height } = display.size;

@@ -5,17 +5,17 @@ use whitted_sim::scene_file::Buffer;
 use crate::open::{self, Scene};
 use crate::outcome::Outcome;
 
-/// Scene file that is reloaded when it changes.
+/// A scene file that is reloaded when the file changes.
 pub(super) struct Source {
     pub(super) path: PathBuf,
-    /// Last version that could be read.
+    /// Last version of the file that was a valid scene.
     scene: Option<Scene>,
-    /// Error in the current version, if any.
+    /// Error in the current version of the file, if any.
     error: Option<String>,
 }
 
 impl Source {
-    /// Finds the file without reading it.
+    /// Finds the scene file without reading it.
     pub(super) fn find(path: &Path) -> Outcome<Self> {
         Ok(Self {
             path: open::find(path)?,
@@ -24,7 +24,7 @@ impl Source {
         })
     }
 
-    /// Reads the file. On an error, keeps the last good scene.
+    /// Reads the scene file. If the file has an error, the last good scene is kept.
     pub(super) fn read(&mut self, buffer: &mut Buffer) {
         let scene = Scene::read(&self.path).and_then(|scene| {
             scene.prepare(buffer)?;
@@ -39,7 +39,7 @@ impl Source {
         }
     }
 
-    /// Returns the last good scene; `None` if every version had an error.
+    /// Returns the last good scene, or `None` if every version of the file had an error.
     pub(super) fn scene(&self) -> Option<&Scene> {
         self.scene.as_ref()
     }
@@ -49,7 +49,7 @@ impl Source {
         self.error.as_deref()
     }
 
-    /// Returns the file name without its extension.
+    /// Returns the name of the scene file without its extension.
     pub(super) fn name(&self) -> String {
         let stem = self.path.file_stem().unwrap_or(self.path.as_os_str());
         stem.to_string_lossy().into_owned()

@@ -1,4 +1,4 @@
-//! Status text below the picture.
+//! Status text below the picture in `sim view`.
 
 use embedded_graphics::mono_font::MonoTextStyle;
 use embedded_graphics::mono_font::iso_8859_1::FONT_6X13;
@@ -21,7 +21,7 @@ pub(super) const HEIGHT: u32 = LINES as u32 * LINE_HEIGHT + 2 * MARGIN;
 pub(super) const BACKGROUND: Rgb888 = Rgb888::new(0x14, 0x16, 0x1a);
 const PLAIN: Rgb888 = Rgb888::new(0xb8, 0xbe, 0xc8);
 const BRIGHT: Rgb888 = Rgb888::WHITE;
-/// Color of errors; `tests/window` looks for it.
+/// Color of errors in the status text. The test in `tests/window` searches the window for it.
 pub(super) const ERROR: Rgb888 = Rgb888::new(0xff, 0x6b, 0x5e);
 
 /// Content of the status text.
@@ -46,7 +46,7 @@ pub(super) struct Status<'a> {
 pub(super) enum Notice<'a> {
     Message(&'a str),
     Error(&'a str),
-    /// The list of keys, in place of all lines.
+    /// The list of keys, which replaces all other lines.
     Help,
 }
 
@@ -95,7 +95,7 @@ impl Status<'_> {
         format!("{scene} ({} of {count}) on {options}", place + 1)
     }
 
-    /// Formats the work done so far, and the estimated time on the board.
+    /// Formats the rendering work done so far, and the estimated time on the selected board.
     fn work(&self) -> String {
         let Stats {
             camera,
@@ -127,7 +127,7 @@ impl Status<'_> {
     }
 }
 
-/// Breaks the lines of a text between words so that they fit a number of columns.
+/// Wraps a text between words, so that each line has at most `columns` columns.
 fn wrapped(text: &str, columns: usize) -> impl Iterator<Item = String> {
     text.lines().flat_map(move |line| {
         let mut lines = vec![String::new()];

@@ -12,12 +12,12 @@ pub(super) struct Viewpoint {
     pub(super) yaw: i32,
     /// Orbit upward, in degrees.
     pub(super) pitch: i32,
-    /// Zoom steps; each changes the field of view by a tenth.
+    /// Number of zoom steps. Each step changes the field of view by a tenth.
     pub(super) zoom: i32,
 }
 
 impl Viewpoint {
-    /// Orbit step in degrees.
+    /// Angle by which one key press moves the camera, in degrees.
     pub(super) const STEP: i32 = 5;
 
     /// Prepares the scene with the moved camera.

@@ -7,23 +7,24 @@ use notify::{Event, RecommendedWatcher, RecursiveMode, Watcher};
 
 use crate::outcome::Outcome;
 
-/// Time without further changes before a change is reported; editors save in several steps.
+/// Waiting time after the last change of a file before the change is reported. Editors save a file
+/// in several steps, which are reported as one change.
 const DEBOUNCE: Duration = Duration::from_millis(50);
 
-/// Watcher of scene files.
+/// Watches scene files for changes.
 ///
-/// Watches the directories, since editors replace a file by a new one, which a watch on the file
-/// itself would miss.
+/// The watch is on the directories of the files: many editors save by replacing the file with a new
+/// file, and a watch on the old file would miss this.
 pub(super) struct Watch {
     events: Receiver<notify::Result<Event>>,
     names: Vec<OsString>,
-    /// Time of the last change that was not reported yet.
+    /// Time of the last change, if it is not reported yet.
     last: Option<Instant>,
     _watcher: RecommendedWatcher,
 }
 
 impl Watch {
-    /// Starts watching.
+    /// Starts to watch the files.
     pub(super) fn new<'p>(files: impl Iterator<Item = &'p Path>) -> Outcome<Self> {
         let (sender, events) = channel();
         let mut watcher = notify::recommended_watcher(sender)?;
@@ -60,7 +61,8 @@ impl Watch {
             .is_some()
     }
 
-    /// Returns true if the event wrote, moved or removed a watched file. Reading is no change.
+    /// Returns true if the event wrote, moved or removed a watched file, and false if it only read
+    /// a file.
     fn is_relevant(&self, event: &Event) -> bool {
         let mut names = event.paths.iter().filter_map(|path| path.file_name());
         !event.kind.is_access() && names.any(|name| self.names.iter().any(|known| known == name))

@@ -13,14 +13,15 @@ use super::workbench::Workbench;
 use crate::args::View;
 use crate::outcome::Outcome;
 
-/// Smallest area for the picture; the picture is scaled up by an integer to fill it.
+/// Smallest area for the picture in the window. A smaller picture is scaled up by an integer
+/// factor.
 const MIN_AREA: Size = Size::new(640, 480);
-/// Color around the display.
+/// Color of the window around the simulated display.
 const SURROUND: Rgb888 = Rgb888::new(0x30, 0x32, 0x36);
 /// Drawing time between two updates of the window.
 const UPDATE_INTERVAL: Duration = Duration::from_millis(12);
 
-/// Shows scenes until the user closes the window.
+/// Shows scenes in a window until the user closes it.
 pub(crate) fn view(options: &View) -> Outcome {
     let mut workbench = Workbench::new(options)?;
     let mut watch = Watch::new(workbench.files())?;
@@ -50,7 +51,7 @@ pub(crate) fn view(options: &View) -> Outcome {
     }
 }
 
-/// Returns the action of an event, if it is a key with an action.
+/// Returns the action of a window event, or `None` if the event is not a key with an action.
 fn key(event: &SimulatorEvent) -> Option<Key> {
     match event {
         SimulatorEvent::Quit => Some(Key::Quit),
@@ -68,7 +69,7 @@ struct Window {
 }
 
 impl Window {
-    /// Opens a window that fits a picture of the size.
+    /// Opens a window that fits a picture of this size.
     fn new(size: Size) -> Self {
         let area = MIN_AREA.component_max(size);
         let below = Size::new(area.width, status::HEIGHT);

@@ -18,13 +18,13 @@ use crate::format::Format;
 use crate::open;
 use crate::outcome::Outcome;
 
-/// State of `sim view`, independent of the window: scenes, options, camera and picture.
+/// State of `sim view` without the window: scenes, options, camera and picture.
 pub(super) struct Workbench {
     sources: Cycle<Source>,
     options: Options,
     viewpoint: Viewpoint,
     quality: Quality,
-    /// Buffer in which each drawing step prepares the scene.
+    /// Buffer for the prepared scene. Each drawing step prepares the scene again.
     buffer: Box<Buffer>,
     frame: Frame,
     message: String,
@@ -117,7 +117,7 @@ impl Workbench {
         self.restart();
     }
 
-    /// Draws the next step. Returns false if the picture is complete.
+    /// Draws the next step of the picture. Returns false if the picture is complete.
     pub(super) fn draw_step(&mut self) -> bool {
         let output = self.options.output();
         !self.frame.is_complete() && self.with_scene(|frame, scene| frame.step(scene, output))
@@ -150,12 +150,12 @@ impl Workbench {
             Some(moved) if Some(moved) != camera => {
                 self.restart();
             }
-            // The camera is at the end of its range.
+            // The camera cannot move this far, so it stays where it was.
             _ => self.viewpoint = before,
         }
     }
 
-    /// Returns the moved camera, if the scene can be prepared with it.
+    /// Returns the moved camera, or `None` if the scene cannot be prepared with this camera.
     fn camera(&mut self) -> Option<Camera> {
         let mut camera = None;
         self.with_scene(|_, scene| camera = Some(scene.camera()));
@@ -169,13 +169,13 @@ impl Workbench {
         self.reload();
     }
 
-    /// Restarts drawing on a black display.
+    /// Restarts the drawing on a black display.
     fn clear(&mut self) {
         self.frame = Frame::new(*self.options.displays.current());
         self.restart();
     }
 
-    /// Restarts drawing. The old picture stays until new pixels replace it.
+    /// Restarts the drawing. The old picture stays until new pixels replace it.
     fn restart(&mut self) -> bool {
         let order = *self.options.orders.current();
         let edges = *self.options.edges.current();
@@ -198,7 +198,7 @@ impl Workbench {
         prepared.is_ok()
     }
 
-    /// Saves the picture as the display looks, in the current directory.
+    /// Saves the picture in the current directory, in the colors and shape of the display.
     fn save(&mut self) {
         let scene = self.sources.current().name();
         let (picture, display) = self.picture();

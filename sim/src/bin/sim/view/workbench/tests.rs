@@ -10,7 +10,7 @@ use crate::open::Scene;
 
 const SCENE: &str = include_str!("../../../../../../scenes/whitted.toml");
 
-/// Temporary directory of one test.
+/// A temporary directory for one test.
 struct Directory(PathBuf);
 
 impl Directory {
@@ -123,7 +123,7 @@ fn keeps_the_picture_while_the_file_has_an_error() -> Outcome {
         notice(&workbench)
     );
     assert!(drawn(&mut workbench) == before);
-    // Keys act on the last good scene.
+    // The scene file is invalid now, so keys act on the last good scene.
     workbench.press(Key::Right);
     assert!(drawn(&mut workbench) != before);
     workbench.press(Key::Reset);
