@@ -1,8 +1,9 @@
-//! `cargo bench`: compares the speed of the library with that of the `f32` reference tracer, on
-//! the host.
+//! `cargo bench` compares the speed of the library on the host with the speed of the `f32`
+//! reference tracer.
 //!
-//! Both tracers draw the same RGB565 frames line by line, on one thread, from prepared scenes.
-//! The `float` rig also uses this reference tracer. No test depends on the measured times.
+//! Both tracers draw the same RGB565 frames, line by line, on one thread. The scenes are
+//! prepared before the measurement starts. The rig `tests/rigs/float` uses the same
+//! reference tracer. No test depends on the measured times.
 
 use std::error::Error;
 use std::hint::black_box;
@@ -15,8 +16,8 @@ use embedded_graphics::prelude::*;
 use whitted::Renderer;
 use whitted_sim::scene_file;
 
-/// Names of the scenes and their frame sizes. The sphereflake's frame is small because the
-/// `f32` tracer would need about a second for it at 320x240.
+/// Names of the scenes, each with the size of its frame. The frame of `sphereflake` is
+/// small, because the `f32` tracer would need about a second for 320x240 pixels.
 const FRAMES: [(&str, Size); 3] = [
     ("whitted", Size::new(320, 240)),
     ("four_spheres", Size::new(320, 240)),
@@ -43,7 +44,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         let mut float = float(scene.scene(), size);
 
         let mut group = criterion.benchmark_group(format!("{name} {}x{}", size.width, size.height));
-        // One frame takes milliseconds, so every sample can have the same number of iterations.
+        // In flat mode, every sample draws the same number of frames. A linearly growing
+        // number would take too long, because one frame takes milliseconds.
         group.sampling_mode(SamplingMode::Flat);
         group.bench_function("fixed point", |bencher| bencher.iter(&mut fixed));
         group.bench_function("f32", |bencher| bencher.iter(&mut float));
@@ -84,7 +86,7 @@ fn float(scene: whitted_oracle::Scene<'_, f32>, size: Size) -> impl FnMut() {
     }
 }
 
-/// Clamps a color to 0..=1 and rounds it to the nearest RGB565 level.
+/// Clamps each channel of a color to 0..=1 and rounds it to the nearest RGB565 level.
 fn to_rgb565(color: whitted_oracle::Color<f32>) -> Rgb565 {
     let level = |value: f32, max: u8| ((value * f32::from(max) + 0.5) as u32).min(max.into()) as u8;
     Rgb565::new(
@@ -94,10 +96,11 @@ fn to_rgb565(color: whitted_oracle::Color<f32>) -> Rgb565 {
     )
 }
 
-/// Returns the time of the second tracer divided by the time of the first.
+/// Returns the time that `second` takes for a frame, divided by the time that `first`
+/// takes.
 ///
-/// The tracers draw frames in turn, so that other load on the machine slows down both. The
-/// result is the median of the ratios of all pairs of frames.
+/// The two tracers draw frames in turn, so that other load on the machine slows down both
+/// tracers. Each pair of frames gives one ratio. The function returns the median ratio.
 fn ratio(first: &mut impl FnMut(), second: &mut impl FnMut()) -> f64 {
     let mut ratios: Vec<f64> = (0..ROUNDS)
         .map(|_| {

@@ -19,7 +19,8 @@ use whitted::{
 /// Times of the frames in seconds.
 pub(crate) const TIMES: [&str; 5] = ["0", "0.25", "0.5", "0.75", "1"];
 
-/// The scene at rest. The hopping ball is object 1, the mirror ball is object 2.
+/// The scene before the animation moves it. The hopping ball is object 1, and the mirror ball
+/// is object 2.
 pub(crate) static SCENE: Scene = Scene {
     background: Background::Gradient {
         horizon: Color::lit("0.55", "0.68", "0.8"),
@@ -93,7 +94,8 @@ pub(crate) static SCENE: Scene = Scene {
     ))
 };
 
-/// The ball hops twice in a loop of 2 seconds, while the light moves along.
+/// An animation that repeats every 2 seconds. The ball hops to the right and back, and the
+/// light moves in the same direction as the ball.
 pub(crate) static HOPS: Animation = Animation {
     duration: Real::lit("2"),
     looping: true,
@@ -101,8 +103,8 @@ pub(crate) static HOPS: Animation = Animation {
         Track {
             target: Target::ObjectPosition(1),
             interpolation: Interpolation::Smooth,
-            // Three keyframes with smooth interpolation make a parabola. Two keyframes at the
-            // same time make a corner in the path, where the ball bounces.
+            // Smooth interpolation through three keyframes moves the ball on a parabola. Where
+            // the ball bounces, two keyframes have the same time, so the path has a corner.
             keys: &[
                 Keyframe::vector("0", "-1.4", "0.5", "0.6"),
                 Keyframe::vector("0", "-1.4", "0.5", "0.6"),
@@ -127,8 +129,8 @@ pub(crate) static HOPS: Animation = Animation {
 
 /// Draws the frame at `time` in seconds.
 pub(crate) fn frame(time: Real) -> Result<Display, Box<dyn Error>> {
-    // `animated` has room for the moved copies of 3 objects and 1 light. Firmware keeps both
-    // buffers from frame to frame.
+    // `animated` stores the moved copies of 3 objects and 1 light. Firmware would create
+    // `animated` and `buffer` once and use them for all frames.
     let mut animated = AnimatedScene::<3, 1>::new();
     let mut buffer = SceneBuffer::<3, 1, 4>::new();
     let moved = animated.frame(&SCENE, &HOPS, time)?;

@@ -18,7 +18,7 @@ use whitted::{
 
 pub(crate) const SIZE: Size = Size::new(96, 80);
 
-/// A mirror ball on a checkerboard. The scene has edges, reflected edges and highlights.
+/// A scene with a mirror ball on a checkerboard. It has edges, reflected edges and highlights.
 pub(crate) static SCENE: Scene = Scene {
     background: Background::Gradient {
         horizon: Color::lit("0.85", "0.70", "0.52"),
@@ -42,7 +42,7 @@ pub(crate) static SCENE: Scene = Scene {
             kd: Color::lit("0.75", "0.72", "0.66"),
             ..Material::BLACK
         },
-        // Material 2: crimson, for the other squares of the floor and the small ball.
+        // Material 2: the crimson squares of the floor, and the small crimson ball.
         Material {
             ka: Color::lit("0.06", "0.01", "0.03"),
             kd: Color::lit("0.4", "0.05", "0.14"),
@@ -76,7 +76,7 @@ pub(crate) static SCENE: Scene = Scene {
     ))
 };
 
-/// Returns the picture with plain edges and the picture with smooth edges.
+/// Returns two pictures of the scene: the first without antialiasing, the second with it.
 pub(crate) fn pictures() -> Result<[Display; 2], Box<dyn Error>> {
     let mut buffer = SceneBuffer::<3, 1, 3>::new();
     let scene = buffer.prepare(&SCENE)?;
@@ -84,9 +84,9 @@ pub(crate) fn pictures() -> Result<[Display; 2], Box<dyn Error>> {
     let mut plain = Display::new(SIZE);
     Renderer::new(&scene, SIZE).draw(&mut plain)?;
 
-    // The renderer needs memory for two lines of samples of 16 bytes each: 3 KB for a line of
-    // 96 pixels. `SampleCount::Four` traces 4 more rays in each pixel that differs from a
-    // neighbor, and only 1 ray in every other pixel.
+    // The antialiasing renderer stores two lines of samples. A sample takes 16 bytes, so two
+    // lines of 96 pixels take 3 KB. With `SampleCount::Four`, a pixel that differs from a
+    // neighbor gets 4 more rays. All other pixels get only 1 ray.
     let mut smooth = Display::new(SIZE);
     let mut memory = [AaSample::BLACK; 2 * SIZE.width as usize];
     AntialiasedRenderer::new(&scene, SIZE, SampleCount::Four, &mut memory)?.draw(&mut smooth)?;

@@ -16,15 +16,16 @@ use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::prelude::*;
 use whitted::{PreparedScene, Renderer};
 
-/// Draws the picture with two line buffers: one is sent while the other is traced.
+/// Draws the picture with two line buffers. While one buffer is sent to the display, the next
+/// line is traced into the other buffer.
 async fn draw(scene: &PreparedScene<'_>, display: &mut AsyncDisplay) {
     let mut renderer = Renderer::new(scene, SIZE);
     let mut sent = [Rgb565::BLACK; SIZE.width as usize];
     let mut traced = sent;
     renderer.render_line(0, &mut sent);
     for y in 0..SIZE.height {
-        // `join` polls the transfer first, so the bus is busy while the next line is traced.
-        // After the last line there is no next line, and `render_line` does nothing.
+        // `join` polls the transfer first. The transfer therefore starts before the next line
+        // is traced. After the last line, `render_line` does nothing.
         let trace_next = async { renderer.render_line(y + 1, &mut traced) };
         join(display.send_line(y, &sent), trace_next).await;
         core::mem::swap(&mut sent, &mut traced);
@@ -33,7 +34,8 @@ async fn draw(scene: &PreparedScene<'_>, display: &mut AsyncDisplay) {
 
 /// Blinks an LED until the picture is complete, and returns the number of blinks.
 ///
-/// Tracing a line contains no `.await`, so this task never waits for more than one line.
+/// The code that traces a line has no `.await`, so this task cannot run until the line is
+/// complete. It waits for one line at most.
 async fn blink(is_complete: &Cell<bool>) -> u32 {
     let mut blinks = 0;
     while !is_complete.get() {
@@ -43,8 +45,8 @@ async fn blink(is_complete: &Cell<bool>) -> u32 {
     blinks
 }
 
-/// Stands for an async display driver. A real driver learns from an interrupt that a transfer
-/// has ended.
+/// Simulates an async display driver. In a real driver, an interrupt reports the end of a
+/// transfer.
 struct AsyncDisplay(Display);
 
 impl AsyncDisplay {
@@ -55,7 +57,7 @@ impl AsyncDisplay {
     }
 }
 
-/// Draws the picture. Also returns how often the LED blinked during the drawing.
+/// Draws the picture. Returns the display and the number of times that the LED blinked.
 pub(crate) fn picture() -> Result<(Display, u32), Box<dyn Error>> {
     let mut buffer = Buffer::new();
     let scene = buffer.prepare(&SCENE)?;

@@ -25,8 +25,8 @@ pub(crate) fn compile() -> Result<Vec<u8>, SceneError> {
 
 /// Decodes the scene and draws it. This part runs in firmware.
 ///
-/// `decode` checks the CRC-32 and all values, so corrupt bytes, for example from a serial port,
-/// are rejected with an error.
+/// `decode` checks the CRC-32 and all values. It returns an error if the bytes are corrupt,
+/// for example after a bad transfer.
 pub(crate) fn draw(bytes: &[u8]) -> Result<Display, Box<dyn Error>> {
     let mut buffer = Buffer::new();
     let scene = buffer.decode(bytes)?;

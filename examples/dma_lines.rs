@@ -1,5 +1,5 @@
-//! Uses two line buffers: DMA sends one line while the next line is traced into the other
-//! buffer.
+//! Draws with two line buffers. While DMA sends the line in one buffer, the next line is
+//! traced into the other buffer.
 //!
 //! `cargo run --example dma_lines` writes `dma_lines.png`.
 
@@ -14,10 +14,11 @@ use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::prelude::*;
 use whitted::{PreparedScene, Renderer};
 
-/// A line of 160 pixels: 320 bytes. Firmware would use a `&'static mut [Rgb565; 160]`.
+/// A line of 160 pixels, which takes 320 bytes. Firmware would use a `&'static mut [Rgb565;
+/// 160]`.
 type Line = Box<[Rgb565; SIZE.width as usize]>;
 
-/// Draws the picture with two line buffers. Their initial contents do not matter.
+/// Draws the picture with two line buffers. The initial contents of the buffers do not matter.
 pub(crate) fn draw(scene: &PreparedScene<'_>, display: Display, lines: [Line; 2]) -> Display {
     let [mut first, mut free] = lines;
     let mut renderer = Renderer::new(scene, SIZE);
@@ -35,8 +36,8 @@ pub(crate) fn draw(scene: &PreparedScene<'_>, display: Display, lines: [Line; 2]
 
 /// A DMA transfer, simulated by a thread.
 ///
-/// As in embedded HALs, a transfer owns the display and the line buffer until it ends. The
-/// compiler therefore rejects code that writes to a line while the line is being sent.
+/// As in embedded HALs, a transfer owns the display and the line buffer until the transfer
+/// ends. The compiler therefore rejects code that writes to a line during its transfer.
 struct Transfer(JoinHandle<(Display, Line)>);
 
 impl Transfer {

@@ -1,4 +1,4 @@
-//! The least that firmware needs: a scene written in code and drawn on a display.
+//! Describes a scene in code and draws it on a display. Firmware needs no more than this.
 //!
 //! `cargo run --example first_scene` writes `first_scene.png`.
 
@@ -14,8 +14,8 @@ use whitted::{
     SceneBuffer, Shape, Texture, Vec3,
 };
 
-/// The scene. As a `static` it stays in flash. `lit` converts decimal numbers to fixed point at
-/// compile time. A `MaterialId` is an index into `materials`.
+/// The scene. A `static` scene stays in flash. The compiler evaluates `lit`, which converts
+/// decimal numbers to fixed point. A `MaterialId` is an index into `materials`.
 pub(crate) static SCENE: Scene = Scene {
     background: Background::Gradient {
         horizon: Color::lit("0.60", "0.76", "0.90"),
@@ -32,7 +32,8 @@ pub(crate) static SCENE: Scene = Scene {
         ),
     ],
     materials: &[
-        // Red lacquer: it has ambient, diffuse and specular color, and reflects a little.
+        // Red lacquer: it has an ambient, a diffuse and a specular color, and is slightly
+        // reflective.
         Material {
             ka: Color::lit("0.08", "0.01", "0.01"),
             kd: Color::lit("0.65", "0.05", "0.04"),
@@ -109,8 +110,8 @@ pub(crate) static SCENE: Scene = Scene {
             MaterialId(0),
         ),
     ],
-    // The camera is given by its position, the point that it looks at, and the vertical field
-    // of view in degrees.
+    // The arguments are the camera's position, the point that it looks at, and its vertical
+    // field of view in degrees.
     ..Scene::new(Camera::new(
         Vec3::lit("0.6", "2.2", "8"),
         Vec3::lit("0.1", "0.95", "0"),

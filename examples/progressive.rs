@@ -1,8 +1,8 @@
-//! Draws a picture in coarse blocks first and then refines it. Drawing is divided into short
-//! steps, with other work between them.
+//! Draws a picture in coarse blocks first and then refines it. The drawing is divided into
+//! short steps, so the program can do other work between two steps.
 //!
-//! `cargo run --example progressive` writes `progressive.png`, which shows the picture after
-//! the first pass, when a button is pressed, and at the end.
+//! `cargo run --example progressive` writes `progressive.png`, which shows the picture at
+//! three times: after the first pass, when a button is pressed, and at the end.
 
 pub(crate) mod common;
 
@@ -16,8 +16,8 @@ use whitted::render::{DisplayColor, RenderProgress, Step};
 
 /// Draws until the picture is complete or a button is pressed.
 ///
-/// To continue the picture, call `draw` again with the same `progress`, which is 14 bytes of
-/// plain data.
+/// To continue the picture, call `draw` again with the same `progress`. This value takes 14
+/// bytes.
 pub(crate) fn draw<D>(
     renderer: &mut Renderer<'_>,
     progress: &mut RenderProgress,
@@ -35,7 +35,7 @@ where
     Ok(())
 }
 
-/// Stands for the watchdog and the button of a microcontroller board.
+/// Simulates the watchdog and the button of a microcontroller board.
 #[derive(Debug)]
 pub(crate) struct Board {
     watchdog_feeds: u32,
@@ -69,15 +69,15 @@ pub(crate) fn pictures() -> Result<([Display; 3], u32), Box<dyn Error>> {
         steps_until_pressed: 3,
     };
 
-    // The first pass traces one pixel for each block of 16 by 16 pixels: 1/256 of the work.
+    // The first pass traces one pixel for each block of 16 by 16 pixels, so it does 1/256 of
+    // the work.
     renderer.step(&mut progress, Step::Pass, &mut display)?;
     let first_pass = display.clone();
 
     draw(&mut renderer, &mut progress, &mut display, &mut board)?;
     let at_press = display.clone();
 
-    // At this point, firmware would react to the button. This example just completes the
-    // picture.
+    // At this point, firmware would react to the button. This example completes the picture.
     board.steps_until_pressed = u32::MAX;
     draw(&mut renderer, &mut progress, &mut display, &mut board)?;
     Ok(([first_pass, at_press, display], board.watchdog_feeds))

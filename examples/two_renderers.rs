@@ -1,8 +1,8 @@
 //! Two cores draw one picture. They share a prepared scene, and each core traces every other
 //! line.
 //!
-//! `cargo run --release --example two_renderers` writes `two_renderers.png`. It also prints the
-//! time that one thread takes and the time that two threads take.
+//! `cargo run --release --example two_renderers` writes `two_renderers.png`. The example also
+//! prints how long one thread takes for the picture, and how long two threads take.
 
 pub(crate) mod common;
 
@@ -17,8 +17,8 @@ use whitted::{PreparedScene, Renderer};
 
 /// Traces lines `first`, `first + 2`, `first + 4` and so on, each into its slice of `lines`.
 ///
-/// Each core has its own `Renderer`, which takes 0.7 KB. In firmware, each core also has its
-/// own line buffer, and the cores take turns in using the display.
+/// Each core has its own `Renderer`, which takes 0.7 KB. In firmware, each core would also
+/// have its own line buffer, and only one core at a time would use the display.
 fn trace_every_other(scene: &PreparedScene<'_>, first: u32, lines: Vec<&mut [Rgb565]>) {
     let mut renderer = Renderer::new(scene, SIZE);
     for (y, line) in (first..).step_by(2).zip(lines) {
@@ -35,8 +35,8 @@ pub(crate) fn draw_with_two(scene: &PreparedScene<'_>) -> Display {
         even.push(first);
         odd.push(second);
     }
-    // Both threads borrow the prepared scene. They can share it because tracing never changes
-    // it.
+    // Both threads borrow the prepared scene. They can share the scene because the renderer
+    // never changes it.
     thread::scope(|scope| {
         scope.spawn(|| trace_every_other(scene, 0, even));
         trace_every_other(scene, 1, odd);

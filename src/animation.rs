@@ -1,8 +1,8 @@
 //! Keyframe animation of cameras, objects and lights.
 //!
 //! An [`Animation`] is plain data that a `static` can hold. An [`AnimatedScene`] applies the
-//! animation to a scene. Times are in seconds. All arithmetic is `I32F32` fixed point that
-//! saturates, so every target computes the same frames.
+//! animation to a scene. Times are in seconds. All arithmetic uses saturating `I32F32` fixed
+//! point, so every platform computes the same frames.
 
 mod animated_scene;
 mod error;
@@ -15,7 +15,7 @@ pub use keyframe::{Interpolation, Keyframe};
 use crate::math::{Color, Real, Vec3};
 use crate::scene::{Camera, Light, Object, Scene};
 
-/// Greatest duration of an animation: 2^24 seconds, about half a year.
+/// The longest duration of an animation is 2^24 seconds, about half a year.
 const MAX_DURATION: Real = Real::lit("16777216");
 
 /// A set of tracks. Each track animates one property of a scene.
@@ -46,7 +46,8 @@ const MAX_DURATION: Real = Real::lit("16777216");
 pub struct Animation<'a> {
     /// Duration of the animation in seconds, above 0 and at most 2^24.
     pub duration: Real,
-    /// True if the animation repeats. Otherwise the scene keeps its final state after the end.
+    /// True if the animation repeats. If it does not repeat, the scene keeps its final state
+    /// after the end.
     pub looping: bool,
     /// The tracks of the animation.
     pub tracks: &'a [Track<'a>],
@@ -59,12 +60,13 @@ pub struct Track<'a> {
     pub target: Target,
     /// Method of interpolation between the keyframes of the track.
     pub interpolation: Interpolation,
-    /// Keyframes of the track, in order of time. Before its time, the value of the first
-    /// keyframe applies. After its time, the value of the last keyframe applies.
+    /// Keyframes of the track, in order of time. Before the first keyframe, the property has
+    /// the value of the first keyframe. After the last keyframe, the property has the value of
+    /// the last keyframe.
     pub keys: &'a [Keyframe],
 }
 
-/// Property of a scene that a track animates. Objects and lights are numbered from 0.
+/// A property of a scene that a track animates. Objects and lights are numbered from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Target {
@@ -74,26 +76,29 @@ pub enum Target {
     CameraLookAt,
     /// Vertical field of view of the camera in degrees: [`Camera::fovy_deg`].
     CameraFovy,
-    /// Yaw and pitch in degrees that are passed to [`Camera::orbited`]. They apply after the
-    /// other camera tracks.
+    /// Yaw and pitch, in degrees, that the animation passes to [`Camera::orbited`]. This orbit
+    /// applies to the camera that results from the other camera tracks.
     CameraOrbit,
     /// Position of the object with this number: its field `center` or `origin` or, for a plane,
     /// `point`.
     ObjectPosition(u16),
-    /// Radius of the object with this number, which is a sphere, cylinder, cone or sphereflake.
+    /// Radius of the object with this number. The object must be a sphere, cylinder, cone or
+    /// sphereflake.
     ObjectRadius(u16),
     /// Position of the light with this number.
     LightPosition(u16),
-    /// Diffuse and specular intensity of the light with this number.
+    /// Color of the light with this number. The track sets both the diffuse and the specular
+    /// intensity.
     LightColor(u16),
 }
 
 impl Animation<'_> {
-    /// Returns `camera` with the values that the camera tracks have at `time`, in seconds.
+    /// Returns a copy of `camera` with the values that the camera tracks give it at `time`, in
+    /// seconds.
     ///
     /// If only the camera moves, pass the returned camera to
-    /// [`PreparedScene::set_camera`](crate::PreparedScene::set_camera). This is cheaper than
-    /// preparing the scene again for each frame.
+    /// [`PreparedScene::set_camera`](crate::PreparedScene::set_camera). This takes less time
+    /// than preparing the scene again for each frame.
     ///
     /// # Errors
     /// Returns an error for the first track with invalid keyframes, or for an invalid duration.
@@ -103,7 +108,7 @@ impl Animation<'_> {
         Ok(camera)
     }
 
-    /// Writes the values that all tracks have at `time` into the parts of a scene.
+    /// Evaluates all tracks at `time` and writes their values into the parts of a scene.
     fn apply(&self, time: Real, camera: &mut Camera, objects: &mut [Object], lights: &mut [Light]) {
         let time = self.local_time(time);
         self.move_camera(camera, time);
@@ -157,8 +162,8 @@ impl Animation<'_> {
         }
     }
 
-    /// Maps a time to the duration of the animation. The time wraps if the animation repeats
-    /// and is clamped if not.
+    /// Maps any time to a time within the duration of the animation. A repeating animation
+    /// wraps the time around. Other animations clamp the time.
     fn local_time(&self, time: Real) -> Real {
         if self.looping {
             time.checked_rem_euclid(self.duration).unwrap_or(Real::ZERO)
@@ -184,8 +189,8 @@ impl Animation<'_> {
         Ok(())
     }
 
-    /// Checks that the animation can be applied to `scene`. [`AnimatedScene::frame`] also calls
-    /// this method, once for each frame.
+    /// Checks that the animation can be applied to `scene`. [`AnimatedScene::frame`] also does
+    /// this check for each frame.
     ///
     /// # Errors
     /// Returns an error for the first track with invalid keyframes or an invalid target, or for
@@ -216,8 +221,8 @@ impl Animation<'_> {
     }
 }
 
-/// Returns the given problem if a scene with `count` items has no item of this number, or
-/// `None` if the item exists.
+/// Returns `None` if a scene with `count` items has an item with this number. Otherwise returns
+/// the given problem.
 fn missing(
     number: u16,
     count: usize,

@@ -1,18 +1,20 @@
 //! Serialization of the items of a scene, field by field.
 //!
 //! An item lists its fields once, in [`Fields::visit`]. The [`Archive`] that visits the fields
-//! decides whether they are counted, written or read. Numbers are stored as little-endian bits.
+//! decides whether they are counted, written or read. Numbers are stored in little-endian byte
+//! order.
 //!
-//! The functions of this file are `#[inline(never)]` to save flash: an item has many fields, and
-//! reading a field once does not need to be fast.
+//! The functions of this file are `#[inline(never)]`, because inlining them for each of an
+//! item's many fields would take more flash. Reading a field does not need to be fast.
 
 use fixed::traits::Fixed;
 
 use crate::math::{Color, Vec3};
 
-/// Visitor that counts, writes or reads the bytes of a scene's fields.
+/// A visitor that counts, writes or reads the bytes of a scene's fields.
 pub(crate) trait Archive {
-    /// Counts or writes `bytes`, or fills `bytes` with bytes that were read.
+    /// Counts `bytes`, writes `bytes`, or fills `bytes` with stored bytes, depending on the
+    /// archive.
     fn bytes<const N: usize>(&mut self, bytes: &mut [u8; N]);
 
     /// Records that a field of the scene needs a Cargo feature that is off.
@@ -46,12 +48,12 @@ impl Archive for Writer<'_> {
     }
 }
 
-/// An archive that reads from a slice. Past the end of the slice it reads zeros.
+/// An archive that reads from a slice. Reads past the end of the slice return zeros.
 pub(crate) struct Reader<'a> {
     pub(crate) bytes: &'a [u8],
     /// True if a read went past the end of the slice.
     pub(crate) short: bool,
-    /// Name of a Cargo feature that is off although a field needs it.
+    /// Name of a Cargo feature that a field needs but that is off.
     pub(crate) missing: Option<&'static str>,
 }
 
@@ -72,7 +74,8 @@ impl Archive for Reader<'_> {
 
 /// An item of a scene that can be written and read field by field.
 pub(crate) trait Fields {
-    /// Passes each field to `archive`, which counts, writes or replaces the field.
+    /// Passes each field to `archive`. The archive counts the field, writes it, or replaces its
+    /// value.
     fn visit(&mut self, archive: &mut impl Archive);
 }
 

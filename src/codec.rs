@@ -1,5 +1,5 @@
-//! Compiled scenes: a prepared scene as bytes, in a compact format with a version and a
-//! checksum.
+//! Compiled scenes. A compiled scene is a prepared scene as bytes, in a compact format with a
+//! version and a checksum.
 //!
 //! ```text
 //! "WHTD"  version: u8  objects, lights, materials: u16
@@ -7,9 +7,9 @@
 //! CRC-32 of everything before it
 //! ```
 //!
-//! Integers are little-endian and already scaled. Values that can be derived, such as a squared
-//! radius or a reciprocal, are not stored. Each kind of item lists its fields once, and the
-//! encoder and the decoder both use this list; see `archive::Fields`.
+//! All numbers are little-endian integers, already scaled to the prepared scene. Values that
+//! can be derived, such as a squared radius or a reciprocal, are not stored. Each kind of item
+//! lists its fields once. The encoder and the decoder use the same list; see `archive::Fields`.
 
 pub use crate::math::Crc32;
 pub use crate::scene::DecodeError;
@@ -42,11 +42,12 @@ impl Fields for Header {
 }
 
 impl SceneCounts {
-    /// Returns the numbers of items in a compiled scene, read from its header. A
-    /// [`SceneBuffer`](crate::SceneBuffer) of this capacity is the smallest that can decode the
-    /// scene.
+    /// Reads the header of a compiled scene and returns its numbers of objects, lights and
+    /// materials. A [`SceneBuffer`](crate::SceneBuffer) of this capacity is the smallest that
+    /// can decode the scene.
     ///
-    /// All numbers are 0 if the bytes are too short for a header. Nothing else is checked here.
+    /// All numbers are 0 if the bytes are too short for a header. This function checks nothing
+    /// else.
     ///
     /// ```
     /// use whitted::scene::SceneCounts;
@@ -67,7 +68,7 @@ impl SceneCounts {
         }
     }
 
-    /// Returns the capacity of the smallest buffer that can decode each of several compiled
+    /// Returns the capacity of the smallest buffer that can decode any one of several compiled
     /// scenes.
     pub const fn of_all(scenes: &[&[u8]]) -> Self {
         let mut counts = Self::EMPTY;
@@ -91,8 +92,8 @@ impl PreparedScene<'_> {
     /// Writes the scene as bytes that [`SceneBuffer::decode`](crate::SceneBuffer::decode) can
     /// read. Returns the number of bytes, or `None` if `out` is too short.
     ///
-    /// All integers in the bytes are little-endian and already scaled. The bytes begin with a
-    /// magic number and a version, and end with a CRC-32.
+    /// All numbers are little-endian integers, already scaled to the prepared scene. The bytes
+    /// begin with a magic number and a version, and end with a CRC-32.
     pub fn encode(&self, out: &mut [u8]) -> Option<usize> {
         let length = self.encoded_len();
         let (body, checksum) = out.get_mut(..length)?.split_last_chunk_mut::<CHECKSUM>()?;
@@ -133,8 +134,8 @@ fn checksum_of(bytes: &[u8]) -> u32 {
 
 /// Decodes a compiled scene into `sink`.
 ///
-/// Kept out of line: otherwise its local variables would stay on the stack while the caller
-/// draws.
+/// This function is not inlined. Otherwise its local variables would stay on the stack while
+/// the caller draws.
 #[inline(never)]
 pub(crate) fn decode(bytes: &[u8], sink: &mut impl SceneSink) -> Result<Settings, DecodeError> {
     sink.clear();
@@ -203,9 +204,8 @@ fn open(bytes: &[u8]) -> Result<(Header, Reader<'_>), DecodeError> {
     Ok((header, reader))
 }
 
-/// Returns an error for an item that has a value outside the ranges that tracing relies on.
-/// Such items can occur despite a valid checksum, because any program can write compiled
-/// scenes.
+/// Returns an error if an item has a value that is out of range for ray tracing. A valid
+/// checksum does not exclude such values, because any program can write compiled scenes.
 fn check(is_valid: bool, item: SceneItem) -> Result<(), DecodeError> {
     if is_valid {
         Ok(())

@@ -1,7 +1,8 @@
 //! Prepared shapes, rays and bounds.
 //!
-//! Each shape has its own file or folder. It contains the validation, preparation, bounds,
-//! intersection, occlusion and normal of the shape, and the fields of its compiled form.
+//! Each shape has its own file or folder with all code of the shape: validation,
+//! preparation, bounds, intersection, occlusion, normal, and the fields that a compiled
+//! scene stores.
 
 mod bounding_sphere;
 mod clip_box;

@@ -1,7 +1,7 @@
 #![no_std]
 #![forbid(unsafe_code)]
-// If one of these features is disabled, some helpers have no caller. Without this attribute, the
-// compiler would warn about them.
+// If one of the features below is disabled, some helper functions have no caller. Without this
+// attribute, the compiler would warn about these functions.
 #![cfg_attr(
     not(all(feature = "glass", feature = "quadrics", feature = "sphereflake")),
     allow(dead_code, unused_imports)
@@ -54,7 +54,7 @@
 //!
 //! # Memory
 //!
-//! The caller provides all memory. On a 32-bit core, these are the sizes:
+//! The caller provides all memory. The table shows the sizes on a 32-bit core:
 //!
 //! | what | bytes |
 //! |---|---|
@@ -67,9 +67,9 @@
 //!
 //! # Cargo features
 //!
-//! All features are additive and enabled by default. Disabling a feature saves flash. A scene
-//! that needs a disabled feature is refused with an error that names the feature. The features
-//! do not change a pixel of scenes that do not need them.
+//! All features are additive and enabled by default. Disabling a feature saves flash. If a scene
+//! needs a disabled feature, preparing or decoding it returns an error that names the feature. For
+//! all other scenes, a feature does not change a pixel.
 //!
 //! | feature | enables |
 //! |---|---|

@@ -1,12 +1,11 @@
 //! Number formats, vectors, colors and fixed-point arithmetic.
 //!
-//! The files of this folder form layers, and each layer imports only layers before it: formats and
-//! products; shifts and rounding of words; reciprocals, roots and powers; colors and vectors;
-//! angles. The folder imports nothing from the rest of the library.
+//! The files of this folder form five layers: formats and products; shifts and rounding of words;
+//! reciprocals, roots and powers; colors and vectors; angles. Each layer imports only the layers
+//! before it. The folder imports nothing from the rest of the library.
 //!
-//! Functions that run for every ray are `#[inline(always)]`. For some of them there is a copy that
-//! is not inlined, with `_outlined` in its name. Code that runs rarely calls the copy to save
-//! flash.
+//! Functions that run for every ray are `#[inline(always)]`. Some of them have a copy that is not
+//! inlined and has `_outlined` in its name. Code that runs rarely calls this copy to save flash.
 
 mod color;
 mod crc32;

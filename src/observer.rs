@@ -1,4 +1,4 @@
-//! Callbacks for rays, intersection tests, shadow rays and nodes of the ray tree.
+//! Callbacks that report rays, intersection tests, shadow rays and nodes of the ray tree.
 //!
 //! A renderer is generic over its [`Observer`]. The default observer, `()`, ignores all
 //! callbacks, and the compiler removes the calls.
@@ -84,21 +84,21 @@ pub trait Observer {
     /// Called after the current ray was tested against an object. `met` is true if the ray hits
     /// the surface of the object.
     ///
-    /// If the ray misses the bounding sphere of an object, nothing is reported for the object.
-    /// Nothing is reported for a plane if its distance is reused from the previous ray. An
-    /// object is reported twice if it is tested both in the near range (coordinates within
-    /// ±3.5) and in the extended range. For a sphereflake, a test is reported for each sphere
-    /// that is visited.
+    /// Nothing is reported if the ray misses the bounding sphere of the object. Nothing is
+    /// reported for a plane if the renderer reuses the distance of the plane from the previous
+    /// ray. An object is reported twice if it is tested both in the near range, where
+    /// coordinates are within ±3.5, and in the extended range. For a sphereflake, one test is
+    /// reported for each visited sphere.
     fn test(&mut self, shape: ShapeKind, met: bool) {
         let _ = (shape, met);
     }
 
     /// Called after a shadow ray to light number `light` was traced.
     ///
-    /// `transmittance` is the fraction of the light that arrives, 0 to 1 per channel. It is
-    /// `None` if an opaque surface occludes the light. No shadow ray is traced to a light that
-    /// could not contribute. All shadow rays of a surface are reported before the
-    /// [`node`](Self::node) of the surface.
+    /// `transmittance` is the fraction of the light that reaches the surface, from 0 to 1 per
+    /// channel. It is `None` if an opaque surface occludes the light. No shadow ray is traced
+    /// to a light that cannot contribute to the color of the surface. All shadow rays of a
+    /// surface are reported before the [`node`](Self::node) of the surface.
     fn shadow(&mut self, light: u16, transmittance: Option<Color<Real>>) {
         let _ = (light, transmittance);
     }
@@ -117,7 +117,8 @@ pub trait Observer {
 pub struct RayNode {
     /// Kind of the ray that ends here.
     pub kind: RayKind,
-    /// Number of surfaces on the path between this node and the eye: 0 for a camera ray.
+    /// Number of surfaces on the path between this node and the eye. The number is 0 for a
+    /// camera ray.
     pub generation: u8,
     /// Fraction of this node's radiance that reaches the eye, 0 to 1 per channel.
     pub weight: Color<Real>,
@@ -132,7 +133,8 @@ pub struct RayNode {
     pub local: Color<Radiance>,
 }
 
-/// Converts a color of factors to numbers of the public API. The conversion is exact.
+/// Converts a color from factors to [`Real`] numbers, which the public API uses. The conversion
+/// is exact.
 pub(crate) fn to_real(color: Color<Factor>) -> Color<Real> {
     color.map(Real::from_num)
 }

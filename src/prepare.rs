@@ -1,8 +1,8 @@
-//! Converts an authored scene to a prepared scene: validates it, then normalizes its
-//! coordinates.
+//! Converts an authored scene to a prepared scene. The conversion validates the scene and
+//! then normalizes its coordinates.
 //!
-//! Preparing uses only integer arithmetic, so the result is the same on every target. The
-//! checks that do not depend on the scale of the scene are done first, for all items.
+//! Preparing a scene uses only integer arithmetic, so the result is the same on every target.
+//! Checks that do not depend on the scale of the scene run first, for all items.
 
 mod camera;
 mod culling;

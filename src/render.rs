@@ -1,10 +1,10 @@
 //! Camera rays, scanlines, and output to a `DrawTarget`.
 //!
-//! A [`Renderer`] generates the camera rays of each scanline, culls the objects that the scanline
-//! cannot show, traces the rays and sends the pixels to the display. [`RenderProgress`] records
-//! which pixels have been drawn if drawing is split into steps. [`AntialiasedRenderer`] smooths
-//! edges, [`DirtyLines`] skips unchanged pixels, and [`Output`] selects the dithering and the
-//! transfer function.
+//! A [`Renderer`] works line by line. It generates the camera rays of a scanline, excludes the
+//! objects that the scanline cannot show, traces the rays and sends the pixels to the display. If
+//! drawing is split into steps, [`RenderProgress`] records which pixels have been drawn.
+//! [`AntialiasedRenderer`] smooths edges, [`DirtyLines`] skips unchanged pixels, and [`Output`]
+//! selects the dithering and the transfer function.
 
 #[cfg(feature = "antialiasing")]
 mod antialias;

@@ -1,4 +1,4 @@
-//! Authored scenes: camera, lights, materials and objects in world units.
+//! Describes scenes. A scene has a camera, lights, materials and objects in world units.
 //!
 //! A [`Scene`] is plain data that borrows slices, so it can be a `static` in flash. Its numbers
 //! are of type [`Real`] (`I32F32`); [`Real::lit`] parses them at compile time. The types of
@@ -40,7 +40,7 @@ use crate::math::{Color, Real};
 /// | channels of lights, emission, ambient light and background | 0 to 256 |
 /// | lengths of lists | 0 to 65,535 |
 ///
-/// Fields that have a narrower range state it in their documentation.
+/// If a field has a narrower range, its documentation states that range.
 ///
 /// ```
 /// use whitted::{Camera, Color, Light, Material, MaterialId, Object, Real, Scene, Vec3};
@@ -63,15 +63,15 @@ pub struct Scene<'a> {
     pub materials: &'a [Material],
     /// The objects of the scene.
     pub objects: &'a [Object],
-    /// Ambient light `ia`, 0 to 256 per channel. A surface reflects `ka * ia`, where `ka` is a
-    /// coefficient of its material.
+    /// Ambient light `ia`, 0 to 256 per channel. A surface reflects `ka * ia`, where `ka` is the
+    /// ambient coefficient of its material.
     pub ambient: Color<Real>,
     /// Background of the scene: the radiance of rays that hit no object.
     pub background: Background,
     /// Highlight model for those materials that have `None` in their field `shading`.
     pub shading: SpecularModel,
-    /// Greatest number of reflections and refractions along a path, from 0 to 32. At 0 no
-    /// secondary rays are traced.
+    /// Greatest number of reflections and refractions between the camera and a secondary ray, from
+    /// 0 to 32. If it is 0, no secondary rays are traced.
     pub max_depth: u8,
     /// Minimum weight of a secondary ray, 0 to 1. The weight is the fraction of the ray's
     /// radiance that reaches the pixel. A ray is not traced if its weight is below this minimum
@@ -98,13 +98,13 @@ impl Scene<'_> {
     }
 }
 
-/// Radiance of rays that hit no object. The channels of its colors are 0 to 256.
+/// Radiance of rays that hit no object. Each channel of a background color is 0 to 256.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Background {
     /// The same color in every direction.
     Solid(Color<Real>),
-    /// A vertical gradient. The color depends linearly on y, the vertical component of a ray's
-    /// unit direction. It is `horizon` at y = 0 and `zenith` at y = 1. Rays that point down get
+    /// A vertical gradient. The color depends linearly on y, the vertical component of a ray's unit
+    /// direction. The color is `horizon` at y = 0 and `zenith` at y = 1. Rays that point down get
     /// `horizon`.
     Gradient {
         /// Color at and below the horizon.

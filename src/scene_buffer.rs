@@ -8,9 +8,10 @@ use crate::{codec, prepare};
 /// Memory for a prepared scene, with a fixed capacity for objects, lights and materials. The
 /// buffer may be in a `static` or on the stack.
 ///
-/// An object takes 112 bytes, 34 more for its bounds, and 12 for each light. A light takes 28
-/// bytes, a material 68. The macro [`scene_buffer!`](crate::scene_buffer) returns the type of a
-/// buffer that has the counts of a scene as its capacities.
+/// An object takes 112 bytes, plus 34 bytes for its bounds and 12 bytes for each light of the
+/// buffer. A light takes 28 bytes, and a material takes 68 bytes. The macro
+/// [`scene_buffer!`](crate::scene_buffer!) returns the type of a buffer that has the counts of a
+/// scene as its capacities.
 ///
 /// ```
 /// use whitted::{Camera, Real, Scene, SceneBuffer, Vec3};

@@ -1,4 +1,4 @@
-//! Tests of the arithmetic and of each stage of tracing against exact results.
+//! Compares the results of the arithmetic and of each stage of tracing with exact results.
 
 mod arithmetic;
 mod error_bounds;

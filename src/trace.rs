@@ -1,4 +1,5 @@
-//! Traces a ray in four stages: nearest hit, interaction, direct lighting, ray tree.
+//! Traces a ray in four stages. They find the nearest hit, compute its interaction, add direct
+//! lighting and follow the ray tree.
 
 mod background;
 mod candidates;

@@ -1,7 +1,8 @@
 //! Compiles the scenes for the flash.
 //!
-//! The environment variable `SCENE` selects scene files, relative to the project root and
-//! separated as in `PATH`. The default scenes are listed below.
+//! The environment variable `SCENE` lists the paths of scene files, relative to the project
+//! root. The paths are separated like folders in `PATH`. Without `SCENE`, the build script
+//! compiles the scenes listed below.
 
 fn main() -> Result<(), String> {
     println!("cargo::rerun-if-changed=memory.x");

@@ -1,6 +1,7 @@
 //! Compiles the scene for the flash.
 //!
-//! The environment variable `SCENE` selects a scene file, relative to the project root.
+//! The environment variable `SCENE` is the path of the scene file, relative to the project
+//! root.
 
 fn main() -> Result<(), String> {
     println!("cargo::rerun-if-changed=memory.x");

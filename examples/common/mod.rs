@@ -1,7 +1,7 @@
-//! A display in memory. The examples draw on it and save it as a PNG file.
+//! A display in memory. The examples draw on this display and save its pixels as a PNG file.
 //!
-//! In firmware, use the driver of your display instead: drivers implement `DrawTarget`, as this
-//! display does.
+//! In firmware, use the driver of your display instead. Like this display, drivers implement
+//! `DrawTarget`.
 
 #![allow(dead_code, reason = "each example uses a part of this module")]
 
@@ -17,7 +17,7 @@ use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 
-/// Gap between pictures that are saved side by side, in pixels of the PNG file.
+/// Width of the gap between two pictures in a PNG file, in pixels.
 const GAP: u32 = 8;
 
 /// A display with 16-bit pixels.
@@ -35,7 +35,7 @@ impl Display {
         Self { size, pixels }
     }
 
-    /// Shows one line of pixels, as a driver does for a display on an SPI bus.
+    /// Shows one line of pixels. A driver would send the line over an SPI bus.
     pub(crate) fn show_line(&mut self, y: u32, line: &[Rgb565]) {
         let area = Rectangle::new(Point::new(0, y as i32), Size::new(self.size.width, 1));
         let Ok(()) = self.fill_contiguous(&area, line.iter().copied());
@@ -72,10 +72,11 @@ impl DrawTarget for Display {
     }
 }
 
-/// Saves displays side by side. Each pixel becomes a square of `scale` by `scale` pixels.
+/// Saves the pictures on displays side by side in a PNG file. Each display pixel becomes a
+/// square of `scale` by `scale` pixels.
 ///
-/// The file is called `name` and is written to the current directory, unless the command line
-/// gives another path.
+/// If the command line gives a path, the file is written there. Otherwise, it is written to
+/// the current directory under the name `name`.
 pub(crate) fn save(name: &str, scale: u32, displays: &[Display]) -> Result<(), Box<dyn Error>> {
     let path = std::env::args().nth(1).unwrap_or_else(|| name.to_owned());
     write_png(path.as_ref(), scale, displays)?;
@@ -98,8 +99,8 @@ pub(crate) fn write_png(
     Ok(())
 }
 
-/// Places displays side by side on a white image. Returns the size of the image and its pixels,
-/// 3 bytes each.
+/// Places displays side by side on a white image. Returns the size of the image and its
+/// pixels. Each pixel has 3 bytes.
 fn side_by_side(displays: &[Display], scale: u32) -> (Size, Vec<u8>) {
     let Size { width, height } = displays.first().map_or(Size::zero(), |first| first.size);
     let pitch = width * scale + GAP;

@@ -1,5 +1,4 @@
-//! The scene that several examples share: those that show ways of drawing and not how to
-//! describe a scene.
+//! A scene for the examples that show ways of drawing.
 
 use embedded_graphics::prelude::Size;
 use whitted::scene::{Axis, ClipBox, ior};
@@ -11,7 +10,7 @@ use whitted::{
 /// Size of the picture in pixels.
 pub(crate) const SIZE: Size = Size::new(160, 120);
 
-/// A buffer with room for [`SCENE`]: 5 objects, 2 lights and 6 materials.
+/// A buffer for [`SCENE`]. It has room for 5 objects, 2 lights and 6 materials.
 pub(crate) type Buffer = SceneBuffer<5, 2, 6>;
 
 const GOLD: MaterialId = MaterialId(0);
@@ -21,7 +20,7 @@ const CORAL: MaterialId = MaterialId(3);
 const DARK: MaterialId = MaterialId(4);
 const LIGHT: MaterialId = MaterialId(5);
 
-/// A sphereflake of 1,885 golden spheres on a polished floor, at dusk.
+/// A scene at dusk: a sphereflake of 1,885 golden spheres lies on a polished floor.
 pub(crate) static SCENE: Scene = Scene {
     background: Background::Gradient {
         horizon: Color::lit("0.34", "0.46", "0.68"),

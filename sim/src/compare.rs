@@ -1,4 +1,4 @@
-//! Compares pictures: PSNR, and the share of pixels that differ by at most 1/255.
+//! Compares two pictures. Computes the PSNR, and the share of pixels that differ by at most 1/255.
 
 use std::error::Error;
 use std::fmt;
@@ -8,10 +8,11 @@ use crate::picture::Picture;
 /// Difference of 1/255 in 16-bit samples: 65535 / 255.
 const STEP: u16 = 257;
 
-/// Difference between two pictures, computed on their samples without gamma correction.
+/// Difference between two pictures. It is computed from the samples as they are, without gamma
+/// correction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Comparison {
-    /// Peak signal-to-noise ratio over all pixels and channels, in decibels. Infinite if the
+    /// Peak signal-to-noise ratio over all pixels and channels, in decibels. It is infinite if the
     /// pictures are equal.
     pub psnr: f64,
     /// Share of the pixels whose channels differ by at most 1/255, from 0 to 1.
@@ -20,8 +21,8 @@ pub struct Comparison {
 
 /// Compares two pictures of the same size.
 ///
-/// The samples are scaled to 0..255 without rounding. The peak signal-to-noise ratio (PSNR) is
-/// 10·log10(255² / mean squared error).
+/// The peak signal-to-noise ratio (PSNR) is 10·log10(255² / mean squared error). For this error,
+/// the samples are scaled to the range from 0 to 255 without rounding.
 pub fn compare(a: &Picture, b: &Picture) -> Result<Comparison, SizesDiffer> {
     let sizes = [(a.width, a.height), (b.width, b.height)];
     if sizes[0] != sizes[1] || a.pixels.len() != b.pixels.len() {
@@ -61,7 +62,7 @@ impl fmt::Display for Comparison {
     }
 }
 
-/// Error: the pictures have different sizes, given as width and height.
+/// The error for two pictures of different sizes. It has the width and height of each picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SizesDiffer(pub [(u32, u32); 2]);
 

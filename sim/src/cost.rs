@@ -1,9 +1,9 @@
 //! Estimates the time of a frame on a microcontroller.
 //!
-//! Every target traces the same rays and draws the same bits, so the host can count the work for a
-//! frame. [`Work`] observes the renderer and counts items such as rays, intersection tests and
-//! lights. `prices.rs` has the price of each item on each core, in instructions; `cargo xtask fit`
-//! fits the prices to instruction counts from QEMU. A [`Board`] converts instructions to seconds.
+//! Every target traces the same rays, so the host can count the work for a frame. [`Work`] observes
+//! the renderer and counts items of work, such as rays, intersection tests and lights. The price of
+//! an item is its number of instructions on a core. `prices.rs` has the prices, which `cargo xtask
+//! fit` fits to instruction counts from QEMU. A [`Board`] converts instructions to seconds.
 
 mod board;
 mod prices;

@@ -1,8 +1,8 @@
 //! Compiles scenes for firmware, in build scripts.
 //!
-//! The name of a scene file is relative to the folder that the caller names, and the folder is
-//! relative to the package. A file whose name does not end in `.toml` is taken for a compiled scene
-//! and is included unchanged.
+//! Paths of scene files are relative to the folder that the caller names. The path of this folder
+//! is relative to the package's folder. A file whose name does not end in `.toml` counts as a
+//! compiled scene and is included unchanged.
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -16,8 +16,8 @@ use crate::scene_file;
 /// static SCENE: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/scene.bin"));
 /// ```
 ///
-/// The environment variable `SCENE` names the scene file. If the variable is not set, `default`
-/// names it.
+/// The environment variable `SCENE` names the scene file. If this variable is not set, the file is
+/// `default`.
 ///
 /// # Errors
 /// Returns a message with the line and key of an error in the scene, or with the file that cannot
@@ -33,12 +33,12 @@ pub fn scene(folder: &str, default: &str) -> Result<(), String> {
 /// include!(concat!(env!("OUT_DIR"), "/scenes.rs"));
 /// ```
 ///
-/// The file defines `static SCENES: [&[u8]; N]` with the compiled scenes, and `const COUNTS:
-/// SceneCounts` with the largest numbers of objects, lights and materials that any of the scenes
-/// has.
+/// The file defines `static SCENES: [&[u8]; N]`, which has the compiled scenes. It also defines
+/// `const COUNTS: SceneCounts`, which has the largest numbers of objects, lights and materials in
+/// any of the scenes.
 ///
-/// The environment variable `SCENE` names the scene files, separated like folders in `PATH`. If the
-/// variable is not set, `defaults` names them.
+/// The environment variable `SCENE` lists the scene files, with the separator that `PATH` has. If
+/// this variable is not set, the files are `defaults`.
 ///
 /// # Errors
 /// Returns a message with the line and key of an error in a scene, or with the file that cannot be
@@ -80,7 +80,7 @@ fn compiled(scene: &Path) -> Result<Vec<u8>, String> {
     }
 }
 
-/// Writes a file to Cargo's output directory of the build script.
+/// Writes a file to `OUT_DIR`, the directory in which Cargo expects the output of a build script.
 fn write(name: &str, bytes: &[u8]) -> Result<(), String> {
     let out = env::var_os("OUT_DIR").ok_or("OUT_DIR is not set: call this from a build script")?;
     fs::write(PathBuf::from(out).join(name), bytes)

@@ -1,5 +1,5 @@
-//! Host tools for [`whitted`]: scene files, pictures and their comparison, ray trees of pixels,
-//! and estimates of frame times on microcontrollers.
+//! Tools for [`whitted`] that run on the host. They read scene files, compare pictures, print the
+//! ray tree of a pixel, and estimate the time of a frame on microcontrollers.
 //!
 //! ```text
 //! scene file ── scene_file ──> whitted::Scene ──> PreparedScene ── render ──> Picture
@@ -10,7 +10,7 @@
 //! firmware. The feature `cli` adds the program `sim`.
 //!
 //! In this library, only [`compare`](mod@compare) and [`cost`] use floating point. Numbers in scene
-//! files are parsed directly to fixed point, and the samples of pictures are integers.
+//! files are converted directly to fixed point. The samples of pictures are integers.
 
 pub mod compare;
 pub mod cost;

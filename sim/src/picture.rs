@@ -9,7 +9,7 @@ pub struct Picture {
     pub width: u32,
     /// Height in pixels.
     pub height: u32,
-    /// Pixels of the picture (`width * height`), row by row from the top. The largest sample is
-    /// 65535.
+    /// The `width * height` pixels of the picture, row by row from the top. The largest value of a
+    /// sample is 65535.
     pub pixels: Vec<Color<u16>>,
 }

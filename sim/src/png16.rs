@@ -11,7 +11,8 @@ use whitted::Color;
 
 use crate::picture::Picture;
 
-/// Writes a 16-bit RGB PNG. The file's gAMA chunk is 1.0, because the samples are linear.
+/// Writes an RGB PNG with 16 bits per channel. The gAMA chunk of the file is 1.0, because the
+/// samples are linear.
 pub fn write(path: impl AsRef<Path>, picture: &Picture) -> Result<(), PngError> {
     let path = path.as_ref();
     let file = File::create(path).map_err(|error| PngError::new(path, error))?;
@@ -36,7 +37,8 @@ fn encode(file: BufWriter<File>, picture: &Picture) -> Result<(), png::EncodingE
 
 /// Reads a gray or RGB PNG of up to 16 bits per channel.
 ///
-/// 8-bit samples are scaled to 16 bits. Transparency is dropped, and gamma is not applied.
+/// Samples of 8 bits are scaled to 16 bits. Transparency is dropped, and no gamma correction is
+/// applied.
 pub fn read(path: impl AsRef<Path>) -> Result<Picture, PngError> {
     let path = path.as_ref();
     let file = File::open(path).map_err(|error| PngError::new(path, error))?;
@@ -45,7 +47,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<Picture, PngError> {
 
 fn decode(file: BufReader<File>) -> Result<Picture, png::DecodingError> {
     let mut decoder = png::Decoder::new(file);
-    // Expands palettes to RGB, and samples of fewer than 8 bits to 8 bits.
+    // The decoder converts palette indices to RGB, and samples of fewer than 8 bits to 8 bits.
     decoder.set_transformations(Transformations::EXPAND);
     let mut reader = decoder.read_info()?;
     let size = reader.output_buffer_size();

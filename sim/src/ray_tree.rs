@@ -1,7 +1,7 @@
 //! Traces the tree of rays behind one pixel and prints it (Whitted 1980).
 //!
-//! Each line of the output is a ray. The letter is the kind of the ray: C for camera, R for
-//! reflected, T for transmitted, S for shadow.
+//! Each line of the output shows a ray. The line starts with the kind of the ray: C for camera, R
+//! for reflected, T for transmitted, S for shadow.
 //!
 //! ```text
 //! C object 1: weight 1.0000, local 0.0120
@@ -19,7 +19,7 @@ use whitted::{Color, PreparedScene, Radiance, Real, Renderer};
 /// All rays that contribute to a pixel's color.
 #[derive(Clone, Debug)]
 pub struct RayTree {
-    /// Nodes of the tree in depth-first order, parents before children.
+    /// Nodes of the tree in depth-first order. A parent comes before its children.
     pub nodes: Vec<TreeNode>,
     /// Linear color of the pixel.
     pub color: Color<Radiance>,
@@ -27,7 +27,8 @@ pub struct RayTree {
     pub stats: Stats,
 }
 
-/// A node of the ray tree: the end point of a ray, with the shadow rays that start there.
+/// A node of the ray tree. It stands for the end point of a ray, and has the shadow rays that start
+/// at this point.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TreeNode {
     /// Object, weight and local color of the node.
@@ -41,11 +42,11 @@ pub struct TreeNode {
 pub struct ShadowRay {
     /// Index of the light.
     pub light: u16,
-    /// Share of the light that reaches the surface; `None` if an opaque object blocks it.
+    /// Share of the light that reaches the surface, or `None` if an opaque object blocks the light.
     pub transmittance: Option<Color<Real>>,
 }
 
-/// Traces one pixel of a picture. Returns `None` if the pixel is outside the picture.
+/// Traces the pixel (`x`, `y`) of a picture. Returns `None` if the pixel is outside the picture.
 pub fn trace(scene: &PreparedScene<'_>, size: Size, [x, y]: [u32; 2]) -> Option<RayTree> {
     if x >= size.width || y >= size.height {
         return None;
@@ -64,8 +65,8 @@ pub fn trace(scene: &PreparedScene<'_>, size: Size, [x, y]: [u32; 2]) -> Option<
 #[derive(Clone, Debug, Default)]
 struct Collector {
     nodes: Vec<TreeNode>,
-    /// Shadow rays seen since the last node. They belong to the node that the renderer reports
-    /// next.
+    /// Shadow rays since the last node. The renderer reports the shadow rays of a node before the
+    /// node itself.
     shadows: Vec<ShadowRay>,
     stats: Stats,
 }

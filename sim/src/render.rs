@@ -12,8 +12,7 @@ pub fn linear(scene: &PreparedScene<'_>, size: Size) -> Picture {
     trace(&mut Renderer::new(scene, size), |_| {})
 }
 
-/// Renders all lines of a picture with a renderer, and calls `line_done` with the number of each
-/// finished line.
+/// Renders all lines of a picture. After each line, calls `line_done` with the line number.
 pub fn trace<O: Observer>(
     renderer: &mut Renderer<'_, O>,
     mut line_done: impl FnMut(u32),
@@ -24,13 +23,13 @@ pub fn trace<O: Observer>(
     })
 }
 
-/// Assembles a picture from lines. Calls `render` with the number and the pixels of each line,
-/// which `render` fills.
+/// Assembles a picture from lines. For each line, calls `render` with the line number and a slice.
+/// `render` writes the pixels of the line to the slice.
 pub fn lines(size: Size, mut render: impl FnMut(u32, &mut [Color<u16>])) -> Picture {
     let Size { width, height } = size;
     let mut pixels = vec![Color::<u16>::default(); width as usize * height as usize];
-    // `chunks_exact_mut` panics on a size of 0, so a width of 0 becomes 1. Such a picture has no
-    // pixels, so the loop ends at once.
+    // `chunks_exact_mut` panics if the chunk size is 0, so the chunk size is at least 1. A picture
+    // with the width 0 has no pixels, so the loop ends at once.
     for (y, line) in (0..height).zip(pixels.chunks_exact_mut(width.max(1) as usize)) {
         render(y, line);
     }
@@ -41,9 +40,10 @@ pub fn lines(size: Size, mut render: impl FnMut(u32, &mut [Color<u16>])) -> Pict
     }
 }
 
-/// Returns the CRC-32 of a picture's samples: red, green, blue, each big-endian.
+/// Returns the CRC-32 of a picture's samples. The samples of a pixel are in the order red, green,
+/// blue, and each sample is big-endian.
 ///
-/// All targets render the same bits, so a scene has the same checksum on each of them.
+/// A scene has the same checksum on every target, because all targets render the same bits.
 pub fn checksum(picture: &Picture) -> u32 {
     let mut crc = Crc32::new();
     for pixel in &picture.pixels {

@@ -1,11 +1,12 @@
 //! Reads scene files (TOML) into a [`whitted::Scene`].
 //!
-//! The reader checks keys, types and names. The library checks values when it prepares the scene;
-//! [`SceneFile::explain`] finds the line and key of a value that the library rejects. The format of
-//! scene files is documented in `docs/scenes.md`.
+//! The reader checks the names of scene-file keys, the types of values, and references to names.
+//! The library checks the values when it prepares the scene. [`SceneFile::explain`] finds the line
+//! and scene-file key of a value that the library rejects. `docs/scenes.md` documents the format.
 //!
-//! The reader does not use serde, because serde's tagged enums lose the positions of values, and
-//! errors would have no line numbers. A `DeTable` keeps the position of each value.
+//! The reader does not use serde, because serde's tagged enums lose the positions of values. Errors
+//! would then have no line numbers. The reader uses `DeTable`, which keeps the position of each
+//! value.
 
 mod animation;
 mod error;
@@ -50,7 +51,7 @@ pub fn load(path: impl AsRef<Path>) -> Result<SceneFile, LoadError> {
     parse(&name, &text)
 }
 
-/// Reads the text of a scene file. `name` is the file name in error messages.
+/// Reads a scene from the text of a scene file. Error messages contain `name` as the file name.
 pub fn parse(name: &str, text: &str) -> Result<SceneFile, LoadError> {
     read::scene_file(&source::Source { name, text })
 }
@@ -70,7 +71,8 @@ pub fn encode(scene: &PreparedScene<'_>) -> Vec<u8> {
     bytes
 }
 
-/// Returns the tables of a scene file, each with the keys that the reader accepts.
+/// Lists the tables of the scene-file format. Each entry has the scene-file keys that the table
+/// accepts.
 ///
 /// An object accepts the keys of its type and those of the table "an object".
 pub fn tables() -> Vec<TableSchema> {

@@ -7,15 +7,17 @@ use crate::scene::{Light, Object, Scene};
 /// A buffer for the frames of an animation. The buffer holds copies of a scene's objects and
 /// lights.
 ///
-/// The buffer takes 144 bytes per object and 72 per light. Each frame is computed from the
-/// scene at rest, so rounding errors do not accumulate and frames can be requested in any
-/// order. A frame must be prepared before it is drawn. If only the camera moves, the buffer is
-/// not needed: use [`Animation::camera`] and
+/// The buffer takes 144 bytes per object and 72 bytes per light. Each frame is computed from
+/// the scene before animation. Rounding errors therefore do not accumulate, and frames can be
+/// requested in any order. A frame must be prepared before it is drawn.
+///
+/// If only the camera moves, the buffer is not needed. Use [`Animation::camera`] and
 /// [`PreparedScene::set_camera`](crate::PreparedScene::set_camera) instead.
 ///
-/// On a Cortex-M3, a scene of four spheres with three tracks takes about 40,000 instructions to
-/// animate and 30,000 to prepare. Setting only the camera takes 4,500. For comparison, drawing
-/// this scene at 320x240 takes 73 million.
+/// As an example, take a scene of four spheres with three tracks on a Cortex-M3. Animating a
+/// frame takes about 40,000 instructions, and preparing it takes 30,000. If only the camera
+/// moves, setting the camera takes 4,500 instructions. For comparison, drawing the frame at
+/// 320x240 takes 73 million instructions.
 ///
 /// ```
 /// use whitted::animation::{AnimatedScene, Animation, Interpolation, Keyframe, Target, Track};

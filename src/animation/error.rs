@@ -1,15 +1,16 @@
 use core::fmt;
 
-/// Reason why an animation cannot be applied to a scene: the track and its problem.
+/// The reason why an animation cannot be applied to a scene. It consists of a track and the
+/// problem of that track.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct AnimationError {
-    /// Number of the track, counted from 0. `None` if the animation as a whole has the problem.
+    /// Number of the track, counted from 0. `None` if the problem concerns the whole animation.
     pub track: Option<u16>,
     /// Problem of the track or the animation.
     pub problem: AnimationProblem,
 }
 
-/// Problem of an animation. Numbers of keyframes are counted from 0.
+/// A problem of an animation. Keyframes are numbered from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum AnimationProblem {

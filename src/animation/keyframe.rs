@@ -1,4 +1,5 @@
-//! Keyframes and the interpolation between them. The arithmetic is `I32F32` and saturates.
+//! Keyframes and the interpolation between them. The arithmetic uses saturating `I32F32` fixed
+//! point.
 
 use super::AnimationProblem;
 use crate::math::{Real, Vec3};
@@ -6,15 +7,15 @@ use crate::math::{Real, Vec3};
 /// Value of an animated property at a given time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Keyframe {
-    /// Time in seconds. The time is from 0 to the animation's duration, and not before the time
-    /// of the previous keyframe.
+    /// Time in seconds. The time must be from 0 to the animation's duration. It must not be
+    /// earlier than the time of the previous keyframe.
     ///
-    /// Two keyframes may share a time. If their values differ, the property jumps from the
-    /// first value to the second. If their values are equal, a smooth curve gets a corner
-    /// there, like the path of a ball that bounces.
+    /// Two keyframes may have the same time. If their values differ, the property jumps from
+    /// the first value to the second. If their values are equal, a smooth curve gets a corner
+    /// at that time. An example is the path of a ball that bounces.
     pub time: Real,
-    /// Value of the property at this time. A point or a color uses x, y and z. An orbit has its
-    /// yaw in x and its pitch in y. A plain number is in x.
+    /// Value of the property at this time. A point or a color uses x, y and z. An orbit uses x
+    /// for the yaw and y for the pitch. A plain number uses x only.
     pub value: Vec3<Real>,
 }
 
@@ -48,13 +49,13 @@ pub enum Interpolation {
     /// Cubic spline through the keyframes with continuous speed (Catmull and Rom 1974).
     ///
     /// The slope at a keyframe is the slope of a parabola through this keyframe and its two
-    /// neighbors (Overhauser 1968). The keyframes therefore need not be evenly spaced in time.
-    /// The first and last segments of the spline are parabolas, so three keyframes describe the
-    /// path of a thrown object.
+    /// neighbors (Overhauser 1968). The method works for any spacing of the keyframes in time.
+    /// The first and last segments of the spline are parabolas. Three keyframes therefore give
+    /// a single parabola, such as the path of a thrown object.
     ///
-    /// In a repeating animation, the curve is also smooth where the animation starts over,
-    /// provided that the first keyframe is at time 0, the last is at `duration`, and both have
-    /// equal values.
+    /// In a repeating animation, the curve can also be smooth at the time where the animation
+    /// starts over. For this, the first keyframe must be at time 0 and the last at `duration`,
+    /// and their values must be equal.
     Smooth,
 }
 
@@ -82,7 +83,7 @@ pub(super) fn check(keys: &[Keyframe], duration: Real) -> Result<(), AnimationPr
 }
 
 /// Returns the interpolated value at `time`, or zero if there are no keyframes. `period` is the
-/// duration of the animation if it repeats, and `None` if not.
+/// duration of a repeating animation. It is `None` if the animation does not repeat.
 pub(super) fn value(
     keys: &[Keyframe],
     interpolation: Interpolation,
@@ -125,9 +126,9 @@ impl<'k> Segment<'k> {
         }
     }
 
-    /// Returns the value of the spline within this segment, minus its value at the start.
-    /// `part` is the fraction of the segment's time that has passed. `before` and `after` are
-    /// the keyframes next to the segment.
+    /// Evaluates the spline after the fraction `part` of this segment's time. Returns the value
+    /// there minus the value at the start of the segment. `before` and `after` are the
+    /// keyframes next to the segment.
     fn smooth(&self, [before, after]: [Option<Keyframe>; 2], part: Real) -> Vec3<Real> {
         let first = before.and_then(|before| self.slope(&Segment::new(&before, self.from)));
         let last = after.and_then(|after| self.slope(&Segment::new(self.to, &after)));
@@ -143,10 +144,10 @@ impl<'k> Segment<'k> {
         })
     }
 
-    /// Returns the slope of the spline at the keyframe that this segment shares with its
-    /// neighbor. The slope is that of the parabola through the keyframes of both segments,
-    /// expressed as the change over the time of this segment. Returns `None` if the neighbor's
-    /// keyframes share one time.
+    /// Returns the slope of the spline at the keyframe that this segment shares with
+    /// `neighbor`. It is the slope of a parabola through the keyframes of both segments. The
+    /// slope is measured as the change of the value over the time of this segment. Returns
+    /// `None` if the two keyframes of `neighbor` have the same time.
     fn slope(&self, neighbor: &Segment<'_>) -> Option<Vec3<Real>> {
         if neighbor.span == 0 {
             return None;
@@ -160,8 +161,8 @@ impl<'k> Segment<'k> {
         }))
     }
 
-    /// Returns the slope of a parabola at one end of the segment, if `slope` is its slope at
-    /// the other end.
+    /// Returns the slope at one end of the segment if the curve is a parabola. The argument
+    /// `slope` is the slope at the other end.
     fn opposite(&self, slope: Vec3<Real>) -> Vec3<Real> {
         self.change.zip(slope, |change, slope| {
             change.saturating_add(change).saturating_sub(slope)
@@ -178,10 +179,10 @@ fn neighbors(keys: &[Keyframe], next: usize, period: Option<Real>) -> [Option<Ke
     [before.copied().or(last), after.copied().or(first)]
 }
 
-/// Returns the keyframes that continue a repeating track beyond its ends. The last keyframe but
-/// one moves to before the first keyframe, and the second keyframe moves to after the last.
-/// Returns `None` unless the track begins at time 0, ends at `period`, and has equal values
-/// there.
+/// Returns the two keyframes that continue a repeating track beyond its ends. One is the
+/// next-to-last keyframe of the track, moved one period back. The other is the second keyframe
+/// of the track, moved one period forward. Returns `None` unless the track begins at time 0,
+/// ends at `period`, and has equal values at both times.
 fn wrapped_ends(keys: &[Keyframe], period: Real) -> Option<[Option<Keyframe>; 2]> {
     let (first, last) = (keys.first()?, keys.last()?);
     if first.value != last.value || first.time != 0 || last.time != period {
@@ -196,11 +197,13 @@ fn wrapped_ends(keys: &[Keyframe], period: Real) -> Option<[Option<Keyframe>; 2]
     Some([before, after])
 }
 
-/// Returns how far a cubic curve has risen after the fraction `part` of its interval. The curve
-/// rises by `change` in total and has the slopes `first` and `last` at its ends. The result is
-/// exact at both ends.
+/// Evaluates a cubic curve after the fraction `part` of its interval. Returns the difference
+/// between the value there and the value at the start. The curve rises by `change` over the
+/// whole interval and has the slopes `first` and `last` at its ends. The result is exact at
+/// both ends.
 fn hermite(change: Real, first: Real, last: Real, part: Real) -> Real {
-    // On a straight line, both slopes equal `change`, and both differences are zero.
+    // If the curve is a straight line, `first` and `last` equal `change`, so both bends are
+    // zero.
     let (first_bend, last_bend) = (change.saturating_sub(first), change.saturating_sub(last));
     let square = first_bend
         .saturating_add(first_bend)

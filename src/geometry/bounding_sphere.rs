@@ -8,8 +8,8 @@ pub(crate) struct BoundingSphere {
 }
 
 impl BoundingSphere {
-    /// Returns true if the gap between two spheres exceeds 0.00001, which is more than all
-    /// rounding errors.
+    /// Returns true if the gap between two spheres exceeds 0.00001. This margin is larger
+    /// than the sum of all rounding errors.
     pub(crate) fn is_disjoint(&self, other: &Self) -> bool {
         const MARGIN: Length = Length::lit("0.00001");
         let reach = self.radius + other.radius + MARGIN;

@@ -11,11 +11,11 @@ pub(crate) struct ClipBox {
 }
 
 /// Each side of a clip box is moved outward by this margin, one unit of 2^-28. Hit points are
-/// rounded, so adjacent planes would show gaps without the margin.
+/// rounded. Without the margin, gaps would appear between adjacent planes.
 const EDGE: i32 = 1;
 
-/// Coordinates with a magnitude below this limit stay in the near range (within ±3.5) when they
-/// are rounded.
+/// If the magnitude of a coordinate is below this limit, rounding cannot move the coordinate
+/// out of the near range (±3.5).
 const SURELY_NEAR: i32 = NEAR - 16;
 
 impl ClipBox {
@@ -37,8 +37,8 @@ impl ClipBox {
     /// Returns true if the box contains a point in the near range (each coordinate within
     /// ±3.5).
     ///
-    /// Coordinates that overflowed have wrapped around to values outside of the near range, so
-    /// a box with bounds in the near range rejects them.
+    /// A coordinate that overflows wraps around to a value outside of the near range. A box
+    /// with bounds in the near range therefore rejects the point.
     #[inline(always)]
     pub(crate) fn contains_near(&self, p: Vec3<Length>) -> bool {
         let is_within = |c: Length, low: Length, high: Length| {
@@ -60,9 +60,9 @@ impl ClipBox {
             && is_within(p.z, low.z, high.z)
     }
 
-    /// Returns true if the part of a plane inside the box lies in the near range (each
-    /// coordinate within ±3.5). The result is exact for bounded planes and floors. For other
-    /// planes it may be false although the part is in the near range.
+    /// Returns true if the clipped plane lies in the near range (each coordinate within ±3.5).
+    /// The result is exact for bounded planes and floors. For other planes, the result may be
+    /// false although the clipped plane is in the near range.
     pub(crate) fn is_near(&self, normal: Vec3<Unit>, offset: i64) -> bool {
         let near = self.low.zip(self.high, are_both_near);
         let n = normal.map(Unit::to_bits);
@@ -73,8 +73,9 @@ impl ClipBox {
     }
 }
 
-/// Returns true if a coordinate lies between two ends. The unit of the coordinate is
-/// `2^(shift - 28)`. An end at [`Length::MIN`] or [`Length::MAX`] is no bound.
+/// Returns true if the coordinate `c` lies between `low` and `high`. The unit of `c` is
+/// `2^(shift - 28)`. There is no lower bound if `low` is [`Length::MIN`], and no upper bound if
+/// `high` is [`Length::MAX`].
 fn is_within_extended(c: Length, shift: u8, low: Length, high: Length) -> bool {
     let (c, edge) = (i64::from(c.to_bits()) << shift, i64::from(EDGE));
     (low == Length::MIN || c + edge >= i64::from(low.to_bits()))

@@ -5,8 +5,8 @@ use crate::math::{Length, Square, Vec3, high, square_root};
 /// The bounding sphere of an object or of a group of objects, stored in 16 bytes with a 16-bit
 /// center.
 ///
-/// Most rays miss most objects. A test with 32-bit products rejects most of these rays. Only
-/// the remaining rays get the exact test.
+/// Most rays miss most objects. A fast test with 32-bit products rejects most of the rays that
+/// miss. Only the remaining rays get the exact test.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct CullSphere {
     /// Center, rounded to Q12.
@@ -15,17 +15,18 @@ pub(crate) struct CullSphere {
     pub(crate) object: u16,
     /// Radius around the rounded center.
     radius: Length,
-    /// Square of the radius in Q24. It is rounded up to cover the low words that the test
-    /// leaves out.
+    /// Square of the radius in Q24. It is rounded up, because the test ignores the low words of
+    /// its products.
     radius_squared: i32,
 }
 
 impl CullSphere {
     /// Returns the cull sphere of one object.
     pub(crate) fn new(bound: &BoundingSphere, object: u16) -> Self {
-        /// Bound of the rounding error. The center is rounded to Q12 and the origin of a ray is
-        /// rounded down to Q12, so the vector between them changes by less than
-        /// `1.5 * sqrt(3) * 2^-12`.
+        /// Bound of the rounding error of the vector from the origin of a ray to the center.
+        /// Along each axis, rounding the center to Q12 changes the vector by up to 0.5 * 2^-12.
+        /// Rounding the origin down to Q12 changes it by up to 2^-12. Over three axes, the
+        /// length of the error is below `1.5 * sqrt(3) * 2^-12`.
         const ROUNDING: Length = Length::lit("0.00065");
         let center = bound
             .center
@@ -62,8 +63,8 @@ impl CullSphere {
         Self::with_center(center, radius + Length::DELTA, u16::MAX)
     }
 
-    /// Converts the sphere back to full precision. The result is slightly larger than the
-    /// original bounding sphere.
+    /// Converts this sphere to a bounding sphere of full precision. The result is slightly
+    /// larger than the original bounding sphere.
     pub(crate) fn bounding_sphere(&self) -> BoundingSphere {
         BoundingSphere {
             center: self.center.map(|c| Length::from_bits(i32::from(c) << 16)),
@@ -83,16 +84,16 @@ impl CullSphere {
     /// the near range (each coordinate within ±3.5). The direction is a unit vector in Q16.
     #[inline(always)]
     pub(crate) fn may_hit(&self, origin: Vec3<i32>, direction: Vec3<i32>) -> bool {
-        // The vector to the center is shorter than 8, so its square in Q24 fits 32 bits.
+        // The distance to the center is below 8, so its square in Q24 fits 32 bits.
         let to_center = self.center.zip(origin, |c, o| i32::from(c) - o);
         let square = dot(to_center, to_center);
         let along = dot(to_center, direction);
         if along <= 0 {
             return square <= self.radius_squared;
         }
-        // `along` has Q28; its square has Q56 and is shifted to Q24. Rounding the direction
-        // changes the result by less than 2^-14 of the squared distance, which is subtracted as
-        // a margin.
+        // `along` has Q28. Its square has Q56 and is shifted to Q24. Rounding the direction
+        // changes this square by less than 2^-14 of the squared distance to the center. This
+        // error is subtracted as a margin.
         square - (square >> 14) - high(along.square()) <= self.radius_squared
     }
 }

@@ -22,8 +22,9 @@ fn exact(v: Vec3<Length>) -> [f64; 3] {
     [v.x, v.y, v.z].map(|c| c.to_num())
 }
 
-/// Returns two distances: from a line to the center of a bounding sphere, and along the line
-/// from `origin` to the point nearest to that center.
+/// Returns two distances. The first is the distance from a line to the center of a bounding
+/// sphere. The second is measured along the line, from `origin` to the point that is nearest to
+/// the center.
 fn passes(bound: &BoundingSphere, origin: Vec3<Length>, direction: Vec3<Unit>) -> [f64; 2] {
     let (to, d) = (exact(bound.center - origin), direction);
     let d = [d.x, d.y, d.z].map(|c| c.to_num::<f64>());
@@ -32,8 +33,8 @@ fn passes(bound: &BoundingSphere, origin: Vec3<Length>, direction: Vec3<Unit>) -
     [off.sum::<f64>().sqrt(), along]
 }
 
-/// Tests rays that graze a bounding sphere. They start inside or outside of the sphere, near it
-/// or far away.
+/// Tests rays that graze a bounding sphere. The rays start inside or outside of the sphere,
+/// near it or far away.
 #[test]
 fn culling_keeps_rays_that_hit_the_bounding_sphere() {
     let random = &mut Rng::with_seed(1);
@@ -50,7 +51,7 @@ fn culling_keeps_rays_that_hit_the_bounding_sphere() {
         if random.bool() {
             origin = bound.center + point(random, 3.0 * radius);
         }
-        // Aims the ray near the center of the sphere or just inside its rim.
+        // Aims the ray near the center of the sphere or just inside its edge.
         let mut side = point(random, radius * 1.5);
         if random.bool() {
             let [x, y, z] = exact(bound.center - origin);
@@ -103,7 +104,8 @@ fn culling_keeps_rays_that_hit_a_member_of_a_group() {
         });
         let group = CullSphere::around(&bounds.map(|bound| CullSphere::new(&bound, 0)));
         let origin = point(random, 3.5);
-        // Aims the ray near the middle of the group or just inside the far rim of a member.
+        // Aims the ray near the middle of the group, or just inside the far edge of one of its
+        // spheres.
         let mut towards = middle + point(random, 0.5 * spread);
         if random.bool() {
             let [one, other] = bounds.map(|bound| bound.center);

@@ -1,6 +1,7 @@
 use crate::math::{Real, Vec3};
 
-/// An axis-aligned box around authored points. Its coordinates are the raw bits of a [`Real`].
+/// An axis-aligned box that encloses authored points. Its coordinates are the raw bits of a
+/// [`Real`].
 #[derive(Clone, Copy)]
 pub(crate) struct Extent {
     pub(crate) low: Vec3<i64>,
@@ -23,15 +24,16 @@ impl Extent {
         self.high = self.high.zip(point, i64::max);
     }
 
-    /// Enlarges the extent to contain a box, given by its center and half of its size.
+    /// Enlarges the extent to contain a box. The arguments are the center of the box and half
+    /// of its size.
     pub(crate) fn add_box(&mut self, center: Vec3<Real>, half: Vec3<i64>) {
         let center = center.map(Real::to_bits);
         self.add_point(center.zip(half, |c, h| c - h));
         self.add_point(center.zip(half, |c, h| c + h));
     }
 
-    /// Enlarges the extent to contain two horizontal circles. Their centers are at the heights
-    /// `y` above `origin`.
+    /// Enlarges the extent to contain two horizontal circles. The values `y` are the heights
+    /// of their centers above `origin`.
     pub(crate) fn add_rings(&mut self, origin: Vec3<Real>, y: [Real; 2], radii: [i64; 2]) {
         for (y, radius) in y.into_iter().zip(radii) {
             let center = Vec3 {

@@ -6,16 +6,17 @@ use crate::math::{
     Length, Square, Vec3, inverse_length_outlined, normalize, quotient, square_root,
 };
 
-/// The cone of directions in which a light sees the bounding sphere of an object, stored in 12
-/// bytes.
+/// The cone of directions in which a light sees the bounding sphere of an object. The cone
+/// takes 12 bytes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LightCone {
     /// Unit vector from the center of the bounding sphere to the light, in Q14.
     axis: Vec3<i16>,
     /// Index of the object.
     pub(crate) object: u16,
-    /// Lower bound of a cosine, in Q30. A shadow ray can hit the object only if the cosine
-    /// between `axis` and the direction from the lit point to the light is at least this value.
+    /// A shadow ray can hit the object only if the direction from the lit point to the light is
+    /// close to `axis`. The cosine of the angle between them must be at least this value, which
+    /// is in Q30.
     min_cosine: i32,
 }
 
@@ -27,9 +28,9 @@ impl LightCone {
         min_cosine: 0,
     };
 
-    /// Returns the cone in which an object's bounding sphere is seen from `point`. The point
-    /// must be in the near range (each coordinate within ±3.5). If the point is inside the
-    /// sphere, the cone contains every direction.
+    /// Returns the cone in which the bounding sphere of an object is seen from `point`. The
+    /// point must be in the near range (each coordinate within ±3.5). If the point is inside
+    /// the sphere, the cone contains every direction.
     pub(crate) fn new(bound: &BoundingSphere, point: Vec3<Length>, object: u16) -> Self {
         /// Error margin: rounding the two directions changes their cosine by less than 12.6 *
         /// 2^-16.

@@ -4,8 +4,8 @@ use super::normalization::Normalization;
 use crate::math::{Real, Vec3};
 use crate::scene::{SceneError, SceneItem, SceneProblem};
 
-/// Largest magnitude of an authored coordinate. Sums and differences of such coordinates fit a
-/// [`Real`].
+/// Largest magnitude of an authored coordinate. The limit ensures that sums and differences of
+/// coordinates fit a [`Real`].
 pub(crate) const FARTHEST: Real = Real::lit("16777216");
 /// Smallest authored size, in world units.
 pub(crate) const SMALLEST: Real = Real::lit("0.000001");
@@ -53,7 +53,7 @@ pub(crate) fn size(item: SceneItem, field: &'static str, size: Real) -> Result<(
     range(item, field, size, [SMALLEST, FARTHEST])
 }
 
-/// Checks that the first coordinate of an interval is below the second.
+/// Checks that the lower end of an interval is below the upper end.
 pub(crate) fn interval(
     item: SceneItem,
     field: &'static str,
@@ -68,8 +68,8 @@ pub(crate) fn interval(
     }
 }
 
-/// Checks that the magnitude of a size is at least 2^-18 in the prepared scene, so that curved
-/// surfaces look round. That is 2^10 units of a `Length`.
+/// Checks that the magnitude of a size is at least 2^-18 in the prepared scene, which is 2^10
+/// units of a `Length`. Curved surfaces of a smaller size would not look round.
 pub(crate) fn resolvable_size(
     item: SceneItem,
     field: &'static str,
@@ -85,7 +85,8 @@ pub(crate) fn resolvable_size(
     range(item, field, size, sizes)
 }
 
-/// Returns the smallest size, in world units, that the scale of a scene resolves.
+/// Returns the smallest size, in world units, that the preparation of a scene accepts. The
+/// limit depends on the scale of the scene.
 pub(crate) fn least_size(normalization: &Normalization) -> Real {
     normalization.smallest_size().max(SMALLEST)
 }

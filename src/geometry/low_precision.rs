@@ -1,5 +1,5 @@
-//! Vectors with 16-bit components. Products of such components fit 32 bits and need only the
-//! multiply instruction that every core has.
+//! Vectors with 16-bit components. Products of two components fit 32 bits, so they need only
+//! the multiply instruction that every core has.
 
 use crate::math::{InverseLength, Length, Unit, Vec3};
 
@@ -9,12 +9,13 @@ pub(crate) fn to_q16(direction: Vec3<Unit>) -> Vec3<i32> {
     direction.map(|c| c.to_bits() >> 14)
 }
 
-/// Normalizes a vector to Q16, given the reciprocal of its length. The error of each component
-/// is below 2^-13.
+/// Normalizes a vector and returns it in Q16. `inverse` is the reciprocal of its length. The
+/// error of each component is below 2^-13.
 #[inline(always)]
 pub(crate) fn normalize_q16(v: Vec3<i32>, inverse: InverseLength) -> Vec3<i32> {
-    // Multiplies the upper half of each component, after a shift to a length of 2^30 to 2^31,
-    // by the upper half of the U1F31 reciprocal. `normalize` multiplies the full words instead.
+    // The vector is shifted so that its length is 2^30 to 2^31. The upper half of each
+    // component is then multiplied by the upper half of the U1F31 reciprocal. `normalize`
+    // multiplies full words instead.
     let shift = inverse.half_shift.wrapping_sub(1) & 31;
     let half = (inverse.inverse >> 16) as i32;
     v.map(|c| ((c << shift >> 16) * half) >> 14)

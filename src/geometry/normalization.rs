@@ -7,19 +7,19 @@ use super::point::NEAR;
 use crate::math::{Length, Real, Unit, Vec3, bits};
 use crate::scene::SceneProblem;
 
-/// Offsets of planes are below 2^48 units of 2^-28, which is 2^20 times the size of the bounded
-/// geometry.
+/// Number of bits of a plane's offset. Offsets are below 2^48 units of 2^-28, which is 2^20
+/// times the size of the bounded geometry.
 pub(crate) const OFFSET_BITS: i32 = 48;
 
-/// Largest exponent of the scale. At this exponent the raw bits of a world coordinate
-/// ([`Real`]) equal those of a prepared coordinate ([`Length`]).
+/// Largest exponent of the scale. At this exponent, the raw bits of a distance are the same in
+/// world units ([`Real`]) and in prepared units ([`Length`]).
 pub(crate) const MAX_EXPONENT: i32 = 4;
 
 /// The mapping from world units to prepared units, a translation and a scale:
 /// `prepared = (world - center) * 2^exponent`.
 ///
-/// Scaling by a power of two is exact. The mapping brings the bounded geometry, the eye and the
-/// lights within ±1.
+/// Scaling by a power of two is exact. In prepared units, the coordinates of the bounded
+/// geometry, the eye and the lights are within ±1.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Normalization {
     /// Center of the scene, as the raw bits of a [`Real`].
@@ -39,7 +39,7 @@ impl Normalization {
         }
     }
 
-    /// Returns this mapping with its exponent lowered to `exponent` if it is larger.
+    /// Returns this mapping with its exponent limited to at most `exponent`.
     pub(crate) fn with_exponent_at_most(self, exponent: i32) -> Self {
         Self {
             exponent: self.exponent.min(exponent),
@@ -48,7 +48,7 @@ impl Normalization {
     }
 
     /// Converts a distance from world units to prepared units, rounded. The argument is the raw
-    /// bits of a [`Real`], the result those of a [`Length`].
+    /// bits of a [`Real`], and the result is the raw bits of a [`Length`].
     pub(crate) fn length(&self, bits: i64) -> i64 {
         shifted(bits.into(), self.exponent - 4) as i64
     }
@@ -58,8 +58,8 @@ impl Normalization {
         Length::from_bits(self.length(size.to_bits()) as i32)
     }
 
-    /// Converts a size from the raw bits of a [`Real`] to prepared units and returns half of
-    /// it, rounded.
+    /// Converts a size from world units to prepared units and returns half of it, rounded. The
+    /// argument is the raw bits of a [`Real`].
     pub(crate) fn half_size(&self, bits: i64) -> Length {
         Length::from_bits(shifted(bits.into(), self.exponent - 5) as i32)
     }
@@ -70,7 +70,8 @@ impl Normalization {
         U0F32::from_bits(bits.min(u32::MAX.into()) as u32)
     }
 
-    /// Converts an area from the raw bits of a [`Real`] to prepared units in Q56, rounded.
+    /// Converts an area from world units to prepared units, rounded. The argument is the raw
+    /// bits of a [`Real`], and the result is in Q56.
     pub(crate) fn area(&self, bits: i64) -> i64 {
         shifted(bits.into(), 24 + 2 * self.exponent) as i64
     }
@@ -90,8 +91,8 @@ impl Normalization {
         way.all(|c| c.abs() <= i64::from(NEAR))
     }
 
-    /// Computes `normal · point` in the prepared scene, as the raw bits of a [`Length`].
-    /// Returns `None` if a plane with this offset is too far away for any ray to reach.
+    /// Computes the offset `normal · point` of a plane in the prepared scene, as the raw bits
+    /// of a [`Length`]. Returns `None` if the plane is too far away for any ray to reach.
     pub(crate) fn offset(&self, normal: Vec3<Unit>, point: Vec3<Real>) -> Option<i64> {
         let way = point.zip(self.center, |p, c| i128::from(p.to_bits() - c));
         let along = way.zip(normal, |w, n| w * i128::from(n.to_bits()));

@@ -27,13 +27,14 @@ pub(super) const CLIPPED_TAG: u8 = 2;
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Plane {
     pub(crate) normal: Vec3<Unit>,
-    /// The value of `normal · p` for every point p of the plane, in units of 2^-28. It has more
-    /// bits than a [`Length`], because a plane may be far from everything else.
+    /// The value of `normal · p`, which is the same for every point `p` of the plane. It is in
+    /// units of 2^-28 and has more bits than a [`Length`], because a plane may be far from
+    /// everything else.
     offset: i64,
     /// `None` if the plane is unbounded.
     clip_box: Option<ClipBox>,
-    /// True if the whole plane is in the near range (each coordinate within ±3.5). Derived from
-    /// the other fields.
+    /// True if the whole plane is in the near range (each coordinate within ±3.5). This value
+    /// is derived from the other fields.
     is_near: bool,
 }
 
@@ -58,8 +59,8 @@ impl Plane {
         }
     }
 
-    /// Returns a placeholder plane for a tag of a compiled scene. Decoding then reads its
-    /// fields.
+    /// Returns a placeholder plane for a tag of a compiled scene. The decoder then reads the
+    /// fields of the plane.
     pub(super) fn of_tag(tag: u8) -> Self {
         let clip_box = (tag == CLIPPED_TAG).then_some(ClipBox::UNBOUNDED);
         Self::new(Vec3::default(), 0, clip_box)
@@ -79,8 +80,8 @@ impl Plane {
         n.x == Unit::ZERO && n.y == Unit::ONE && n.z == Unit::ZERO
     }
 
-    /// Returns the depth of a point behind the plane, in the units of the point. The depth is
-    /// negative in front of the plane, which is the side of the normal.
+    /// Returns how far a point is behind the plane, in the units of the point. The result is
+    /// negative in front of the plane, which is the side to which the normal points.
     #[inline(never)]
     pub(crate) fn depth(&self, point: Point) -> i64 {
         self.depth_inlined(point)
@@ -92,17 +93,17 @@ impl Plane {
         (self.offset >> point.shift) - ((along + (1 << 29)) >> 30)
     }
 
-    /// Returns true if a point at this depth may lie on the plane, given the rounding of hit
-    /// points.
+    /// Returns true if a point at this depth may lie on the plane. The test allows for the
+    /// rounding of hit points.
     fn may_contain(depth: i64) -> bool {
         depth.abs() <= ROUNDING
     }
 
-    /// Returns true if a light and a point are on different sides of the plane. The test needs
-    /// no distance.
+    /// Returns true if a light and a point are on different sides of the plane. The test
+    /// computes no distance along a ray.
     ///
-    /// A point that lies on the plane, such as a point in a corner between planes, counts as on
-    /// the side from which a ray in the direction `view` sees the plane.
+    /// A point may lie on the plane itself, for example in a corner between planes. Such a
+    /// point counts as on the side from which a ray in the direction `view` sees the plane.
     #[inline(always)]
     fn separates(&self, light: Vec3<Length>, point: Point, view: Vec3<Unit>) -> bool {
         let from = self.depth_inlined(Point::near(light));
@@ -119,10 +120,11 @@ impl Plane {
         light_depth.signum() * i64::from(cosine.signum()) < 0
     }
 
-    /// Returns the distance to the hit. The origin of the ray must be in the near range (each
-    /// coordinate within ±3.5). The distance is exact if it is below `limit`. If the hit is
-    /// farther away, the result is `None` or any distance that is not below `limit`. The result
-    /// is [`Length::MAX`] if the hit may be outside of the near range.
+    /// Returns the distance from the origin of a ray to its hit. The origin must be in the near
+    /// range (each coordinate within ±3.5). The distance is exact if it is below `limit`. If
+    /// the hit is farther away than `limit`, the result is `None` or any distance that is not
+    /// below `limit`. If the hit may be outside of the near range, the result is
+    /// [`Length::MAX`].
     #[inline(always)]
     fn distance(&self, ray: &Ray, limit: Length) -> Option<Length> {
         let along = component_along(ray.origin.coordinates.map(Length::to_bits), self.normal);
@@ -152,9 +154,9 @@ impl Plane {
         is_inside.then_some(distance)
     }
 
-    /// Returns the point where the segment from a light to a point in the near range (each
-    /// coordinate within ±3.5) crosses the plane. `from` and `to` are the depths of the light
-    /// and the point, which have opposite signs.
+    /// Returns the point where the segment from a light to a point crosses the plane. The point
+    /// must be in the near range (each coordinate within ±3.5). `from` and `to` are the depths
+    /// of the light and of the point behind the plane. They have opposite signs.
     fn crossing(
         &self,
         light: Vec3<Length>,
@@ -194,8 +196,8 @@ impl Plane {
             .is_none_or(|clip_box| clip_box.contains(point))
     }
 
-    /// Returns the distance at which a ray hits the plane, ignoring the clip box. The origin
-    /// and the hit may be in the near or the extended range.
+    /// Returns the distance at which a ray hits the plane if the clip box is ignored. The
+    /// origin and the hit may be in the near or the extended range.
     #[inline(never)]
     fn unclipped_distance(&self, ray: &Ray) -> Option<SoftFloat> {
         let depth = self.depth(ray.origin);
@@ -227,7 +229,7 @@ impl Primitive for Plane {
             .with(SurfaceFlags::HORIZONTAL, self.is_horizontal())
     }
 
-    /// Returns `None`, because planes are treated as unbounded, even with a clip box.
+    /// Returns `None`, because a plane is treated as unbounded even if it has a clip box.
     fn bounding_sphere(&self) -> Option<BoundingSphere> {
         None
     }
@@ -329,7 +331,7 @@ impl Fields for Plane {
     }
 }
 
-/// Returns `2^30 a / b`, rounded. The result must be below 2^31.
+/// Returns `2^30 * a / b`, rounded. The result must be below 2^31.
 #[inline(always)]
 fn ratio(a: u32, b: u32, reciprocal: impl Fn(u32) -> u32) -> i32 {
     let shift = leading_zeros(b) & 31;
@@ -339,9 +341,9 @@ fn ratio(a: u32, b: u32, reciprocal: impl Fn(u32) -> u32) -> i32 {
     (twice.wrapping_add(1) >> 1) as i32
 }
 
-/// Returns true if a ray is outside of the near range (each coordinate within ±3.5) after a
-/// distance. The test uses only the upper halves of words and one axis at a time, so it may
-/// miss a point that is just outside.
+/// Returns true if a ray has left the near range (each coordinate within ±3.5) after the given
+/// distance. The test uses only the upper halves of words and one axis at a time. It may
+/// therefore return false for a point that is just outside.
 fn has_left_near_range(ray: &Ray, distance: Length) -> bool {
     let distance = (distance.to_bits() >> 16) as u32;
     let has_left = |from: Length, direction: Unit| {
@@ -369,8 +371,8 @@ mod tests {
         Vec3::new(c(), c(), c())
     }
 
-    /// Compares the fast path for planes in the near range with the general path, using rays
-    /// from random origins.
+    /// Compares two methods on rays from random origins: the fast one for planes in the near
+    /// range, and the general one for all planes.
     #[test]
     fn a_near_plane_has_the_hits_of_any_plane() {
         let random = &mut Rng::with_seed(1);
@@ -396,8 +398,7 @@ mod tests {
                 is_near: false,
                 ..near
             };
-            // Aims at a point inside the clip box. The direction is not a unit vector, like
-            // that of a camera ray.
+            // Aims the ray at a point inside the clip box. The direction is not a unit vector.
             let origin = vector(random, 3.4);
             let share = Length::from_num(random.f64());
             let mut to = a.zip(b, |a, b| a + (b - a) * share);
@@ -406,8 +407,8 @@ mod tests {
             }
             let mut direction = (to - origin).map(|c| Unit::from_bits(c.to_bits() >> 1));
             if random.bool() {
-                // Makes the ray nearly parallel to the plane, so that it heads for the extended
-                // range.
+                // Makes the ray nearly parallel to the plane, so that its hit tends to be in
+                // the extended range.
                 direction = vector(random, 1.0).map(|c| Unit::from_bits(c.to_bits() << 2));
                 direction.y = Unit::from_bits(direction.y.to_bits() >> random.u32(..8));
             }
@@ -433,8 +434,8 @@ mod tests {
         );
     }
 
-    /// Errors are in units of 2^-28. They stem from the rounding of a quotient, a product and
-    /// both depths.
+    /// Measures how far the crossing is from the segment and from the plane, in units of 2^-28.
+    /// These errors stem from the rounding of a quotient, a product and both depths.
     #[test]
     fn the_crossing_of_a_shadow_segment_is_on_the_plane() {
         let random = &mut Rng::with_seed(2);

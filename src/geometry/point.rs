@@ -16,8 +16,8 @@ use crate::math::{Length, Vec3};
 pub(crate) const NEAR: i32 = 7 << 27;
 
 /// Exponent of the largest hit distance. Hits at a distance of `2^(32 + HORIZON)` units of
-/// 2^-28 or more are dropped. That distance is 2^26 times the size of the scene, and closer to
-/// the horizon than the pixels of any display resolve.
+/// 2^-28 or more are dropped. That limit is 2^26 times the size of the scene. No display has
+/// pixels small enough to separate hits at this distance from the horizon.
 ///
 /// The longest path in a ray tree has 33 such hits and stays below 2^60 units, so the shift of
 /// a point stays below 32.
@@ -44,7 +44,7 @@ impl Point {
     }
 
     /// Returns the point at the given coordinates, which are in units of `2^(shift - 28)`. The
-    /// point gets the smallest shift that fits its coordinates.
+    /// result has the smallest shift that its coordinates allow.
     pub(crate) fn normalized(mut coordinates: Vec3<i64>, mut shift: u32) -> Self {
         loop {
             let largest = max_abs(coordinates);
@@ -65,8 +65,8 @@ impl Point {
     }
 
     /// Returns the vector from this point to `near`, a point in the near range (each coordinate
-    /// within ±3.5). The vector is in units of `2^(shift - 28)`, with the shift of this point.
-    /// Its length as a [`Length`] is below 8.
+    /// within ±3.5). The vector is in units of `2^(shift - 28)`, where `shift` is the shift of
+    /// this point. Its length is below 8 if its coordinates are read as [`Length`] values.
     pub(crate) fn to(self, near: Vec3<Length>) -> Vec3<Length> {
         near.zip(self.coordinates, |n, c| (n >> u32::from(self.shift)) - c)
     }

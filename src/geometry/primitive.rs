@@ -1,5 +1,5 @@
-//! The two traits of a shape. [`AuthoredShape`] covers validation and preparation,
-//! [`Primitive`] covers ray tests. Every shape implements both traits.
+//! Defines two traits that every shape implements. [`AuthoredShape`] covers validation and
+//! preparation. [`Primitive`] covers ray tests.
 
 use super::bounding_sphere::BoundingSphere;
 use super::extent::Extent;
@@ -24,14 +24,14 @@ pub(crate) trait AuthoredShape {
     /// Adds the bounded parts of the shape to the extent of the scene.
     fn extend(&self, extent: &mut Extent);
 
-    /// Returns the largest exponent of the scene's scale at which the shape can be prepared.
-    /// `is_alone` is true if the scene has no bounded geometry.
+    /// Returns the largest exponent of the scale at which the shape can be prepared. The scale
+    /// of a scene is a power of two. `is_alone` is true if the scene has no bounded geometry.
     fn max_exponent(&self, center: Vec3<i64>, is_alone: bool) -> i32 {
         let _ = (center, is_alone);
         i32::MAX
     }
 
-    /// Converts the shape to the number formats of the prepared scene.
+    /// Converts the shape to prepared units and to the number formats of the prepared scene.
     fn prepare(
         &self,
         normalization: &Normalization,
@@ -70,7 +70,7 @@ impl SurfacePoint {
 /// The distance of the hit is computed for every object that a ray may hit. The normal is
 /// computed only for the nearest hit.
 pub(crate) trait Primitive: Fields {
-    /// Returns true if every field is in the range that tracing relies on. This check runs
+    /// Returns true if every field is in the range that ray tracing needs. This check runs
     /// after a compiled scene is decoded.
     fn is_valid(&self) -> bool;
 
@@ -86,17 +86,17 @@ pub(crate) trait Primitive: Fields {
     }
 
     /// Returns true if the whole shape is in the near range (each coordinate within ±3.5). Hit
-    /// points then need no range test.
+    /// points of such a shape need no range test.
     fn is_near(&self) -> bool {
         false
     }
 
     /// Returns the distance of the nearest hit. The origin of the ray must be in the near range
-    /// (each coordinate within ±3.5). The distance is exact if it is below `limit`. It is
-    /// [`Length::MAX`] if the hit may be beyond the near range.
+    /// (each coordinate within ±3.5). The distance is exact if it is below `limit`. If the hit
+    /// may be beyond the near range, the result is [`Length::MAX`].
     ///
-    /// `is_origin` is true if the ray leaves the surface of this shape. If the hit is below
-    /// `limit`, a composite shape writes the part that was hit to `part`. Every test of a
+    /// `is_origin` is true if the ray starts on the surface of this shape. If the distance is
+    /// below `limit`, a composite shape stores the part that was hit in `part`. Every test of a
     /// surface is reported to the observer.
     fn intersect(
         &self,
@@ -107,15 +107,14 @@ pub(crate) trait Primitive: Fields {
         observer: &mut impl Observer,
     ) -> Option<Length>;
 
-    /// Returns the distance of the nearest hit, which may be at any distance from any origin.
-    /// Bounded shapes always return `None`.
+    /// Returns the distance of the nearest hit. The origin and the hit may be in the near or
+    /// the extended range. Bounded shapes always return `None`.
     fn intersect_extended(&self, ray: &Ray, is_origin: bool) -> Option<SoftFloat> {
         let _ = (ray, is_origin);
         None
     }
 
-    /// Returns true if a point of the surface belongs to the shape, that is, if it is not
-    /// clipped away.
+    /// Returns true if a point of the surface remains after clipping.
     fn covers(&self, point: &Point) -> bool {
         let _ = point;
         true
@@ -125,11 +124,11 @@ pub(crate) trait Primitive: Fields {
     fn surface_at(&self, point: &Point, part: &PrimitivePart) -> SurfacePoint;
 
     /// Returns the number of times that a shadow segment crosses the shape. Returns `None` if
-    /// the number cannot be found without the crossing points, which take a square root or a
+    /// counting needs the crossing points, because computing them takes a square root or a
     /// division.
     ///
     /// `any` is true if one crossing is enough to occlude the light. A shape may then stop
-    /// counting at one.
+    /// counting after the first crossing.
     fn count_crossings(
         &self,
         segment: &ShadowSegment<'_>,
@@ -138,8 +137,8 @@ pub(crate) trait Primitive: Fields {
         observer: &mut impl Observer,
     ) -> Option<u8>;
 
-    /// Calls `visit` with each point where a shadow segment crosses the shape, in no particular
-    /// order, until `visit` returns false.
+    /// Calls `visit` with each point where a shadow segment crosses the shape. The order of the
+    /// points is arbitrary. The calls stop when `visit` returns false.
     fn visit_crossings(
         &self,
         segment: &ShadowSegment<'_>,
@@ -154,7 +153,8 @@ pub(crate) trait Primitive: Fields {
             .is_some_and(|bound| bound.is_disjoint(sphere))
     }
 
-    /// Returns true if an unbounded shape may lie between a point and some part of a sphere.
+    /// Returns true if this shape, which is unbounded, may lie between a point and some part of
+    /// a sphere.
     fn may_separate(&self, point: Vec3<Length>, sphere: &BoundingSphere) -> bool {
         let _ = (point, sphere);
         true

@@ -1,7 +1,8 @@
 //! Quadrics: ellipsoids, and cylinders, cones and paraboloids around the y axis.
 //!
-//! Each of these four forms provides the quadratic equation for the hits of a ray, and the
-//! gradient at a point. The code that all forms share is in this file.
+//! Each of these four kinds of quadric is called a form. A form provides the quadratic equation
+//! for the hits of a ray, and the gradient at a point. The code that all forms share is in this
+//! file.
 
 pub(super) mod cone;
 pub(super) mod cylinder;
@@ -37,7 +38,7 @@ use quadratic::Quadratic;
 pub(crate) struct Quadric {
     /// Origin of the form's coordinates, within ±1.
     center: Vec3<Length>,
-    /// Lowest and highest y of the surface; `None` if the form is not clamped.
+    /// Lowest and highest y of the surface. `None` if y is not limited.
     clamp: Option<[Length; 2]>,
     form: Form,
 }
@@ -50,7 +51,8 @@ enum Form {
     Paraboloid(Paraboloid),
 }
 
-/// Evaluates an expression with the form of a quadric. All dispatch over forms uses this macro.
+/// Evaluates an expression for any of the four forms of a quadric. All code that depends on the
+/// form uses this macro.
 macro_rules! dispatch {
     ($form:expr, $it:ident => $answer:expr) => {
         match $form {
@@ -84,13 +86,13 @@ impl Default for Form {
     }
 }
 
-/// Upper bound of the distance between two points of the bounded geometry, which lies within ±1
-/// along each axis.
+/// Upper bound of the distance between two points of the bounded geometry. Each coordinate of
+/// these points is within ±1.
 const FARTHEST: Length = Length::lit("3.5");
 
 impl Quadric {
     /// Returns a placeholder quadric for a tag of a compiled scene, or `None` if the tag
-    /// belongs to another shape. Decoding then reads the fields of the quadric.
+    /// belongs to another shape. The decoder then reads the fields of the quadric.
     pub(super) fn of_tag(tag: u8) -> Option<Self> {
         let form = match tag {
             Ellipsoid::TAG => Form::Ellipsoid(Ellipsoid::default()),
@@ -120,17 +122,18 @@ impl Quadric {
         dispatch!(&self.form, form => kind(form))
     }
 
-    /// Returns true if the quadric extends beyond the bounded geometry.
+    /// Returns true if the quadric extends to infinity.
     fn is_unbounded(&self) -> bool {
         self.clamp.is_none() && self.tag() != Ellipsoid::TAG
     }
 
-    /// Returns the distances of the hits of a ray, in no particular order. If the quadric is
-    /// bounded, the origin must be in the near range (each coordinate within ±3.5).
+    /// Returns the distances from the origin of a ray to its hits, in no particular order. If
+    /// the quadric is bounded, the origin must be in the near range (each coordinate within
+    /// ±3.5).
     ///
-    /// `side` is `None` if the ray does not leave this quadric. If it does, `side` is true for
-    /// a ray through the inside and false for a ray on the outside. One root is then known to
-    /// be the origin, and the other root needs no square root.
+    /// `side` is `None` if the ray does not start on this quadric. If it does, `side` is true
+    /// for a ray through the inside and false for a ray on the outside. The origin is then one
+    /// root of the quadratic equation, so the other root needs no square root.
     #[inline(never)]
     fn hits(&self, ray: &Ray, side: Option<bool>) -> [Option<SoftFloat>; 2] {
         let quadratic = self.quadratic(ray);
@@ -163,8 +166,8 @@ impl Quadric {
         dispatch!(&self.form, form => form.quadratic(offset, ray.direction, shift))
     }
 
-    /// Returns true if the hit at a distance is within the clamp. Without a clamp, returns true
-    /// if the hit is before the horizon.
+    /// Returns true if the hit at a distance is within the `clamp` of this quadric. A quadric
+    /// without a clamp accepts every hit that is before the horizon.
     #[inline(never)]
     fn contains(&self, ray: &Ray, distance: SoftFloat) -> bool {
         let Some([low, high]) = self.clamp else {
@@ -193,8 +196,8 @@ impl Primitive for Quadric {
                 .is_none_or(|ends| ends.into_iter().all(|y| valid::is_within(y, Length::ONE)))
     }
 
-    /// Returns the flags of the quadric. A clamped quadric is open, because it encloses no
-    /// volume.
+    /// Returns the flags of the quadric. A clamped quadric has the flag for open surfaces,
+    /// because it encloses no volume.
     fn flags(&self) -> SurfaceFlags {
         SurfaceFlags::NONE
             .with(SurfaceFlags::BOUNDED, !self.is_unbounded())
@@ -245,7 +248,7 @@ impl Primitive for Quadric {
         }
     }
 
-    /// Returns the normal at a hit point. At the apex of a cone the normal is the zero vector.
+    /// Returns the normal at a hit point. At the apex of a cone, the result is the zero vector.
     #[inline(never)]
     fn surface_at(&self, point: &Point, _: &PrimitivePart) -> SurfacePoint {
         let offset = -point.to(self.center);
@@ -265,8 +268,8 @@ impl Primitive for Quadric {
     }
 
     /// Visits the points where a shadow segment crosses the quadric. If the lit point is on
-    /// this quadric, the ray is traced from the lit point to the light, because one root is
-    /// then known.
+    /// this quadric, the ray is traced from the lit point to the light. The lit point is then a
+    /// known root of the quadratic equation.
     fn visit_crossings(
         &self,
         segment: &ShadowSegment<'_>,

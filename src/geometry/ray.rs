@@ -27,8 +27,9 @@ impl Ray {
     /// Returns the coordinates of the point at a distance below 8 along the ray. Both the
     /// origin and the point must be in the near range (each coordinate within ±3.5).
     ///
-    /// A point outside of the near range has coordinates up to 3.5 + 8. They wrap around to ±4
-    /// or beyond, which [`are_near`] detects.
+    /// Outside of the near range, a coordinate can reach 3.5 + 8, which a [`Length`] cannot hold.
+    /// The coordinate then wraps around, but its magnitude is still above 4. [`are_near`] therefore
+    /// detects such a point.
     #[inline(always)]
     pub(crate) fn at_near(&self, distance: Length) -> Vec3<Length> {
         let origin = self.origin.coordinates;
@@ -54,14 +55,14 @@ impl Ray {
     }
 
     /// Moves the origin of the ray from the extended range to the near range (each coordinate
-    /// within ±3.5). The new origin is on the same line, just outside of the bounded geometry.
-    /// Also returns the distance between the two origins, in units of 2^-28.
+    /// within ±3.5). The new origin is on the same line, just outside of the bounded geometry. Also
+    /// returns the distance from the old origin to the new one, in units of 2^-28.
     ///
-    /// Returns `None` if the ray misses the bounded geometry or points away from it.
+    /// Returns `None` if the ray surely misses the bounded geometry or points away from it.
     #[cold]
     pub(crate) fn moved_near(&self) -> Option<(Self, i64)> {
-        /// Distance of the new origin from the foot. It is larger than sqrt(3), the largest
-        /// distance of bounded geometry from the origin of the scene.
+        /// Distance of the new origin from the foot. Bounded geometry is at most sqrt(3) from the
+        /// origin of the scene, because its coordinates are within ±1. This distance is larger.
         const START: Length = Length::lit("1.75");
         const LARGEST: i64 = 2 << 58;
 
@@ -71,8 +72,8 @@ impl Ray {
             return None;
         }
         let to_foot = rounded::<30>(to_foot);
-        // The foot is the point of the ray nearest to the origin of the scene. It has Q58 and
-        // is still in units scaled by `2^shift`.
+        // The foot is the point of the ray nearest to the origin of the scene. Its coordinates have
+        // Q58, and their unit is `2^shift`.
         let foot = coordinates.zip(self.direction, |c, d| {
             (i64::from(c.to_bits()) << 30) + d.to_bits().product(to_foot)
         });
@@ -89,6 +90,6 @@ impl Ray {
     }
 }
 
-// A point in the near range (within ±3.5) that moves by up to 8 must not wrap around into the
-// near range again.
+// If a point in the near range (within ±3.5) moves by up to 8, a coordinate may wrap around. It
+// must not wrap into the near range.
 const _: () = assert!(NEAR as i64 + (8 << 28) < (1 << 32) - NEAR as i64);

@@ -11,13 +11,13 @@ use crate::math::{InverseLength, Length, SoftFloat, Unit, Vec3, normalize};
 pub(crate) struct ShadowSegment<'r> {
     /// Position of the light.
     pub(crate) light: &'r Vec3<Length>,
-    /// Vector from the point to the light, in units of `2^(shift - 28)`, with the shift of the
-    /// point.
+    /// Vector from the point to the light, in units of `2^(shift - 28)`. Here, `shift` is that of
+    /// the point.
     pub(crate) to_light: Vec3<Length>,
     /// Reciprocal length of `to_light`.
     pub(crate) inverse: InverseLength,
-    /// The ray that hit the point. Its origin has been moved to the point, and it leaves the
-    /// surface of the point.
+    /// The ray that hit the point. Its origin has been moved to the point, and its field `leaves`
+    /// is the surface of the point.
     pub(crate) ray: &'r Ray,
 }
 
@@ -27,15 +27,15 @@ impl ShadowSegment<'_> {
         normalize(self.to_light.map(Length::to_bits), self.inverse)
     }
 
-    /// Returns the length of the segment in units of `2^(shift - 28)`, with the shift of the
+    /// Returns the length of the segment in units of `2^(shift - 28)`. Here, `shift` is that of the
     /// point.
     fn length(&self) -> Length {
         Length::from_bits(self.inverse.length() as i32)
     }
 
-    /// Returns the length of the segment if the point is in the near range (each coordinate
-    /// within ±3.5). Returns [`Length::MAX`] for a point in the extended range, because the
-    /// segment then passes through all bounded geometry.
+    /// Returns the length of the segment if the point is in the near range (each coordinate within
+    /// ±3.5). For a point in the extended range, returns [`Length::MAX`], because the point is then
+    /// beyond all bounded geometry.
     pub(crate) fn near_length(&self) -> Length {
         if self.ray.origin.is_near() {
             self.length()
@@ -50,8 +50,8 @@ impl ShadowSegment<'_> {
         i64::from(self.length().to_bits()) << self.ray.origin.shift
     }
 
-    /// Calls `visit` with the point at `distance` along `ray`, if `distance` is within the
-    /// segment. Returns false if `visit` asks to stop.
+    /// If `distance` is within the segment, calls `visit` with the point at that distance along
+    /// `ray`. Returns false if `visit` asks to stop.
     pub(crate) fn visit_at(
         &self,
         ray: &Ray,

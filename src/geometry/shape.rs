@@ -1,4 +1,4 @@
-//! The prepared shapes of a scene. All dispatch over shapes happens in this file.
+//! The prepared shapes of a scene. This file selects the code for each kind of shape.
 //!
 //! To add a shape, write a file that implements [`AuthoredShape`] and [`Primitive`], add the
 //! authored form to `scene/shape.rs`, and add a line to each list in this file.
@@ -26,9 +26,9 @@ use crate::scene::{self, SceneError, SceneItem};
 
 /// A shape in the prepared scene.
 ///
-/// `repr(u8)` gives the tag of the enum a byte of its own. Reading that byte is cheaper than
-/// reading a tag that the compiler hides in a field of a variant, and the enum takes no more
-/// memory.
+/// With `repr(u8)`, the tag of the enum has a byte of its own. Otherwise, the compiler would hide
+/// the tag in a field of a variant, and reading it would take longer. The size of the enum is the
+/// same.
 #[derive(Clone, Copy, Debug)]
 #[repr(u8)]
 pub(crate) enum Shape {
@@ -40,7 +40,7 @@ pub(crate) enum Shape {
     Sphereflake(Sphereflake),
 }
 
-/// Evaluates an expression with the primitive inside a prepared shape.
+/// Evaluates `$answer`, where `$it` is the primitive inside a prepared shape.
 macro_rules! dispatch {
     ($shape:expr, $it:ident => $answer:expr) => {
         match $shape {
@@ -54,8 +54,8 @@ macro_rules! dispatch {
     };
 }
 
-/// Evaluates the first expression with the authored form of a shape. If the shape needs a Cargo
-/// feature that is off, evaluates the second expression with the name of that feature.
+/// Evaluates `$answer`, where `$it` is the authored form of a shape. If the shape needs a Cargo
+/// feature that is off, evaluates `$missing` instead, where `$feature` is the name of that feature.
 macro_rules! dispatch_authored {
     ($shape:expr, $it:ident => $answer:expr, $feature:ident => $missing:expr) => {
         match *$shape {
@@ -183,8 +183,8 @@ pub(crate) fn extend(shape: &scene::Shape, extent: &mut Extent) {
     dispatch_authored!(shape, it => it.extend(extent), _feature => ());
 }
 
-/// Returns the largest exponent of the scene's scale at which an authored shape can be
-/// prepared.
+/// Returns the largest exponent of the scene's scale with which an authored shape can still be
+/// prepared. The scale is a power of two.
 pub(crate) fn max_exponent(shape: &scene::Shape, center: Vec3<i64>, is_alone: bool) -> i32 {
     dispatch_authored!(shape, it => it.max_exponent(center, is_alone), _feature => i32::MAX)
 }
@@ -306,8 +306,9 @@ impl Shape {
         dispatch!(self, it => it.tag())
     }
 
-    /// Returns a placeholder shape for a tag of a compiled scene. Decoding then reads its
-    /// fields. An unknown tag gives a sphere with radius 0, which is not valid.
+    /// Returns a placeholder shape of the kind that a tag in a compiled scene stands for. Decoding
+    /// later fills the fields of the shape. For an unknown tag, returns a sphere with radius 0,
+    /// which is not valid.
     fn of_tag(tag: u8) -> Self {
         #[cfg(feature = "quadrics")]
         if let Some(quadric) = Quadric::of_tag(tag) {

@@ -77,8 +77,8 @@ impl Chord {
         Length::from_bits(root as i32)
     }
 
-    /// Returns half of the chord's length. Rare cases use this variant, which calls the square
-    /// root instead of inlining it, because they need small code more than speed.
+    /// Returns half of the chord's length. This function calls the square root instead of inlining
+    /// it. It is for rare cases, which need small code more than speed.
     fn half_outlined(&self) -> Length {
         Length::from_bits(square_root(self.discriminant.to_bits().max(1) as u64) as i32)
     }
@@ -100,10 +100,9 @@ impl Sphere {
 
     /// Returns the chord of a line, if the line meets the sphere.
     ///
-    /// The discriminant is `r² - |l|²`, where r is the radius and l the vector from the center
-    /// to the middle of the chord. The textbook form `b² - c` loses the bits of a small sphere
-    /// far away, but this form keeps them (Haines and others, Ray Tracing Gems 2019, chapter
-    /// 7).
+    /// The discriminant is `r² - |l|²`, where r is the radius and l the vector from the center to
+    /// the middle of the chord. For a small sphere far away, the textbook formula `b² - c` loses
+    /// bits that this formula keeps (Haines and others, Ray Tracing Gems 2019, chapter 7).
     #[inline(always)]
     fn chord(&self, origin: Vec3<Length>, direction: Vec3<Unit>) -> Option<Chord> {
         let to_center = self.center - origin;
@@ -117,8 +116,9 @@ impl Sphere {
         })
     }
 
-    /// Returns the chord of a ray, and true if the origin is outside of the sphere. Returns
-    /// `None` if the ray misses the sphere or the chord is entirely behind the origin.
+    /// Returns the chord of a ray and a flag. The flag is true if the origin of the ray is outside
+    /// of the sphere. Returns `None` if the ray misses the sphere or the chord is entirely behind
+    /// the origin.
     #[inline(always)]
     fn chord_ahead(&self, origin: Vec3<Length>, direction: Vec3<Unit>) -> Option<(Chord, bool)> {
         let chord = self.chord(origin, direction)?;
@@ -134,8 +134,9 @@ impl Sphere {
         (!is_outside || chord.middle > Length::ZERO).then_some(is_outside)
     }
 
-    /// Returns two flags: true if a ray enters the sphere before `distance`, and true if the
-    /// ray leaves the sphere before `distance`. The test needs no square root.
+    /// Returns two flags. The first is true if a ray enters the sphere before `distance`. The
+    /// second is true if the ray leaves the sphere before `distance`. The test needs no square
+    /// root.
     #[inline(always)]
     fn crosses_before(
         &self,
@@ -146,8 +147,7 @@ impl Sphere {
         let Some((chord, is_outside)) = self.chord_ahead(origin, direction) else {
             return [false; 2];
         };
-        // A ray enters the sphere before the middle of the chord and leaves it after the
-        // middle.
+        // The entry of the ray is before the middle of the chord, and the exit is after it.
         let rest = distance.saturating_sub(chord.middle);
         let is_past_middle = rest > Length::ZERO;
         let square = rest.square();
@@ -163,9 +163,9 @@ impl Sphere {
         /// A ray starts outside of the sphere if its entry is farther away than this distance,
         /// 2^16 units of 2^-28.
         ///
-        /// The offset of the chord has an error of at most 1.5 units. For a radius of r units,
-        /// half of the chord then has an error of at most `sqrt(3 r)`, which is less than 2^15
-        /// units.
+        /// The distance from the center to the chord has an error of at most 1.5 units. If the
+        /// radius is r units, half of the chord's length then has an error of at most `sqrt(3 r)`.
+        /// This error is less than 2^15 units, because r is at most 2^28.
         const OFF: Length = Length::from_bits(1 << 16);
         let chord = self.chord(origin, direction)?;
         if chord.middle > Length::ZERO {
@@ -177,7 +177,8 @@ impl Sphere {
         self.distance_from_nearby(&chord)
     }
 
-    /// Returns the distance of the nearest hit, for a ray that may start inside the sphere.
+    /// Returns the distance of the nearest hit, for a ray that may start inside the sphere or close
+    /// to it.
     #[cold]
     #[inline(never)]
     fn distance_from_nearby(&self, chord: &Chord) -> Option<Length> {
@@ -255,8 +256,8 @@ impl Primitive for Sphere {
     ) -> Option<u8> {
         let direction = -segment.direction_to_light();
         let [entry, exit] = self.crosses_before(*segment.light, direction, segment.near_length());
-        // If the lit point is on the inside of this sphere, the segment leaves the sphere at
-        // the lit point itself, which is no crossing.
+        // If the lit point is on the inside of this sphere, the segment ends on the surface of the
+        // sphere. This end does not count as a crossing.
         let count = u8::from(entry) + u8::from(exit && !is_origin);
         observer.test(ShapeKind::Sphere, count > 0);
         Some(count)
@@ -275,8 +276,8 @@ impl Primitive for Sphere {
         };
         let half = chord.half_outlined();
         let entry = is_outside.then(|| chord.middle - half);
-        // If the lit point is on the inside of this sphere, the segment leaves the sphere at
-        // the lit point itself, which is no crossing.
+        // If the lit point is on the inside of this sphere, the segment ends on the surface of the
+        // sphere. This end does not count as a crossing.
         let exit = (!is_origin).then(|| chord.middle + half);
         for distance in [entry, exit].into_iter().flatten() {
             let is_ahead = distance > Length::ZERO;
@@ -324,7 +325,8 @@ mod tests {
             let Some(up) = direction(vector(random, 1.0).map(|c| c.to_bits().into())) else {
                 continue;
             };
-            // Starts the ray 1 to 2^18 units of 2^-28 inside or outside of the surface.
+            // Starts the ray inside or outside of the sphere, at 1 to 2^18 units from the surface.
+            // The unit is 2^-28.
             let above = (1 << random.u32(..19)) * [-1, 1][random.usize(..2)];
             let origin = sphere.center + up.times(sphere.radius + Length::from_bits(above));
             let Some(other) = direction(vector(random, 1.0).map(|c| c.to_bits().into())) else {

@@ -1,10 +1,11 @@
 //! The sphereflake, a fractal in which every sphere is touched by twelve smaller ones (Haines
 //! 1987).
 //!
-//! The spheres are not stored. A ray traverses the tree of spheres from the root, nearer
-//! children first, and skips subtrees whose bounding sphere it misses. Every level has its own
-//! frame and unit of length, so the smallest sphere is as exact as the largest. The traversal
-//! needs memory in proportion to the depth of the tree.
+//! The spheres are not stored. They form a tree, which a ray traverses from the root sphere, nearer
+//! children first. The traversal skips a subtree if the ray misses the bounding sphere of the
+//! subtree. Every level of the tree has its own frame and unit of length, so the smallest sphere is
+//! as exact as the largest. The memory of the traversal grows in proportion to the depth of the
+//! tree.
 
 pub(super) mod authored;
 mod child_frame;
@@ -57,8 +58,8 @@ impl Sphereflake {
         TAG
     }
 
-    /// Returns the nearest hit of a ray before the distance `limit`. `origin` is the surface
-    /// that the ray leaves, if that is a sphere of this flake.
+    /// Returns the nearest hit of a ray before the distance `limit`. If the ray leaves a sphere of
+    /// this flake, `origin` is the surface of that sphere.
     fn nearest(
         &self,
         ray: &Ray,
@@ -99,8 +100,9 @@ impl Sphereflake {
         nearest
     }
 
-    /// Returns the exit of a ray that starts on a sphere and runs through its inside. The exit
-    /// is the other end of the chord, or the origin itself if the ray grazes the sphere.
+    /// Returns the exit of a ray that starts on a sphere and runs through the inside of that
+    /// sphere. The exit is the other end of the chord. If the ray only grazes the sphere, the exit
+    /// is the origin of the ray.
     #[cold]
     fn exit(&self, ray: &Ray, path: NodePath, observer: &mut impl Observer) -> Option<FlakeHit> {
         let mut hit = None;
@@ -116,7 +118,7 @@ impl Sphereflake {
         hit
     }
 
-    /// Returns the node of the sphere at a path, given the node of the root sphere.
+    /// Returns the node of the sphere with the given path. `root` is the node of the root sphere.
     #[cold]
     #[inline(never)]
     fn node_at(&self, root: &Node, path: NodePath) -> Node {
@@ -129,12 +131,12 @@ impl Sphereflake {
         node
     }
 
-    /// Calls `visit` with each distance up to `t_max` at which a ray crosses a sphere, in no
-    /// particular order, until `visit` returns false. Returns true if the traversal stopped
-    /// early.
+    /// Calls `visit` with each distance up to `t_max` at which a ray crosses the surface of a
+    /// sphere. The distances come in no particular order. If `visit` returns false, the traversal
+    /// stops. Returns true if the traversal stopped early.
     ///
-    /// With [`Query::Any`], the traversal may stop without a call of `visit` if a crossing is
-    /// certain.
+    /// With [`Query::Any`], the traversal may stop as soon as a crossing is certain, without a call
+    /// of `visit`.
     fn crossings(
         &self,
         ray: &Ray,
@@ -148,9 +150,9 @@ impl Sphereflake {
         let path = origin.map_or(NO_PATH, |origin| origin.part);
         self.traverse(ray, path, t_max, query, observer, &mut |node| {
             let is_origin = node.path == path;
-            // A sphere that is lit on its outside is skipped. On a sphere that is lit on its
-            // inside, only the entry of the ray counts, because the exit is the lit point
-            // itself.
+            // If the lit point is on the outside of this sphere, the sphere is skipped. If the lit
+            // point is on the inside, only the entry of the ray counts, because the exit is the lit
+            // point.
             let is_left = is_origin && origin.is_some_and(|origin| !origin.is_inside);
             if is_left || !node.is_within(t_max) {
                 return t_max;
@@ -169,7 +171,7 @@ impl Sphereflake {
         })
     }
 
-    /// Returns the outward unit normal of a hit, in the frame of the scene.
+    /// Returns the outward unit normal at a hit, in the frame of the scene.
     fn normal_of(&self, hit: &FlakeHit) -> Vec3<Unit> {
         let mut normal = hit.normal.map(Unit::to_bits);
         let generations = (32 - hit.path.leading_zeros()).div_ceil(4);
@@ -180,10 +182,10 @@ impl Sphereflake {
             .renormalized()
     }
 
-    /// Calls `visit` with each sphere that the line of a ray crosses ahead of the origin and up
-    /// to `t_max`, roughly in order of distance. Skips spheres that the query does not need.
-    /// `visit` returns the new `t_max`, or 0 to stop. Returns true if the traversal stopped
-    /// early.
+    /// Calls `visit` with each sphere that the line of a ray crosses between the origin of the ray
+    /// and the distance `t_max`. The spheres come roughly in order of distance. Spheres that the
+    /// query does not need are skipped. `visit` returns the new `t_max`, or 0 to stop. Returns true
+    /// if the traversal stopped early.
     #[inline(never)]
     fn traverse(
         &self,
@@ -234,8 +236,8 @@ impl Sphereflake {
 }
 
 impl Primitive for Sphereflake {
-    /// Returns true if the radius is positive. Decoding sets the radius to 0 if a parameter is
-    /// invalid.
+    /// Returns true if the radius is positive. If a parameter is invalid, decoding sets the radius
+    /// to 0.
     fn is_valid(&self) -> bool {
         self.radius > 0
     }
@@ -331,8 +333,7 @@ impl Fields for Sphereflake {
             ratio,
             depth,
         };
-        // The constants of a flake that are derived from its parameters are only defined if the
-        // parameters are valid.
+        // The derived constants of a flake can be computed only if its parameters are valid.
         *self = if params.is_valid() {
             Self::new(params)
         } else {

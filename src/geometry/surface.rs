@@ -8,24 +8,25 @@ pub(crate) struct SurfaceFlags(u16);
 
 impl SurfaceFlags {
     pub(crate) const NONE: Self = Self(0);
-    /// The object is convex: a ray that leaves its outside cannot hit it again.
+    /// The object is convex: a ray that leaves the outside of the object cannot hit it again.
     pub(crate) const CONVEX: Self = Self(1);
-    /// The object is flat: a ray that leaves either side cannot hit it again.
+    /// The object is flat: a ray that leaves either side of the object cannot hit it again.
     pub(crate) const FLAT: Self = Self(2);
     /// The object has a bounding sphere.
     pub(crate) const BOUNDED: Self = Self(4);
-    /// The surface is open: it encloses nothing and does not refract.
+    /// The object has an open surface, which encloses nothing and does not refract light.
     pub(crate) const OPEN: Self = Self(8);
     /// The object is a transparent sphere, and no other object reaches into it.
     pub(crate) const ISOLATED: Self = Self(16);
     /// The normal is exactly +y, as on a floor.
     pub(crate) const HORIZONTAL: Self = Self(32);
-    /// Nothing can occlude the object from the first light. The next seven bits are the flags
-    /// of the next seven lights.
+    /// Nothing can come between the object and the first light. The next seven bits are the same
+    /// flags for the next seven lights.
     const UNOCCLUDED: Self = Self(256);
 
-    /// Returns the flag that marks objects which nothing can occlude from a light. The set is
-    /// empty from the ninth light on.
+    /// Returns the flag which means that nothing can come between an object and the light with the
+    /// index `light`. Only the first eight lights have such a flag. For other lights, the result is
+    /// [`Self::NONE`].
     pub(crate) fn unoccluded_from(light: usize) -> Self {
         if light < 8 {
             Self(Self::UNOCCLUDED.0 << light)
@@ -34,7 +35,7 @@ impl SurfaceFlags {
         }
     }
 
-    /// Returns these flags, and adds the `other` flags if the condition holds.
+    /// Returns these flags. If `condition` holds, the result also contains the flags in `other`.
     pub(crate) fn with(self, other: Self, condition: bool) -> Self {
         if condition {
             Self(self.0 | other.0)
@@ -49,12 +50,13 @@ impl SurfaceFlags {
     }
 }
 
-/// The surface that a ray leaves, stored with the ray instead of an epsilon.
+/// The surface that a ray leaves.
 ///
-/// The origin of a secondary ray lies only approximately on its surface, so a hit of that
-/// surface cannot be distinguished from the origin by its distance: any epsilon is too small
-/// for one scene and too large for another. A ray therefore stores the object that it leaves.
-/// The test of that object then takes the root `t = 0` as the origin, not as a hit.
+/// A secondary ray starts only approximately on the surface that it leaves. The ray may therefore
+/// seem to hit that surface again, very close to its origin. Many ray tracers ignore hits closer
+/// than a small constant, but no constant suits every scene. In this library, a ray stores the
+/// object that it leaves. For that object, the root `t = 0` of the equation is the origin of the
+/// ray and not a hit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct OriginSurface {
     /// Index of the object, or `u16::MAX` if the ray leaves no surface.

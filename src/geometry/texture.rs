@@ -1,4 +1,4 @@
-//! Textures, which select the material at each point of an object.
+//! Textures. A texture selects the material at each point of an object.
 
 use super::point::Point;
 use crate::archive::{Archive, Fields};
@@ -15,19 +15,20 @@ pub(crate) enum Texture {
 /// A checkerboard pattern along two axes.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Checker {
-    /// Mantissa of the number of cells per unit of length, which is
-    /// `mantissa * 2^(exponent - 31)`. The top bit is set.
+    /// The number of cells per unit of length is `mantissa * 2^(exponent - 31)`. The top bit of the
+    /// mantissa is set.
     pub(crate) mantissa: u32,
     pub(crate) exponent: i8,
     /// Position of the scene's origin within a pair of cells, along each axis. The unit is one
-    /// pair, in `U0F32`. Positions wrap around, since the board repeats with each pair.
+    /// pair, and the format is `U0F32`. A position wraps around, because the pattern repeats with
+    /// each pair.
     pub(crate) phase: [u32; 2],
     pub(crate) axes: [Axis; 2],
     pub(crate) materials: [u16; 2],
 }
 
 impl Texture {
-    /// Returns true if every field is in the range that tracing relies on.
+    /// Returns true if every field is in the range for which tracing is correct.
     pub(crate) fn is_valid(&self, materials: u16) -> bool {
         match self {
             Self::Uniform(material) => *material < materials,
@@ -104,8 +105,8 @@ impl Checker {
         self.materials[(parity >> 31) as usize]
     }
 
-    /// Returns the position of a point within its pair of cells, along an axis. The top bit is
-    /// set in the odd cell.
+    /// Returns the position of a point within its pair of cells, along an axis. In the second cell
+    /// of a pair, the top bit of the position is set.
     ///
     /// Whole pairs wrap around to zero, so the position is as exact for points in the extended
     /// range as for points in the near range (each coordinate within ±3.5).
@@ -117,9 +118,10 @@ impl Checker {
             Axis::Y => p.y,
             Axis::Z => p.z,
         };
-        // The coordinate in Q28 times the mantissa in Q31 gives cells in Q59, which are pairs
-        // in Q60. A shift then gives Q32. The mantissa minus 2 fits a signed word, which every
-        // core can multiply; the high word adds the missing two coordinates.
+        // The coordinate has Q28 and the mantissa Q31, so their product is a number of cells in
+        // Q59, or a number of pairs in Q60. A later shift gives Q32. The cast of the mantissa to a
+        // signed word, which every core can multiply, subtracts 2. Adding the coordinate to the
+        // high word corrects the product.
         let product = coordinate.to_bits().product(self.mantissa as i32);
         let (high, low) = (
             high(product).wrapping_add(coordinate.to_bits()),

@@ -1,4 +1,4 @@
-//! Linear colors, and products of factors, weights and radiances.
+//! Linear colors and arithmetic on their channels.
 
 use long_multiply::by_17_bits;
 
@@ -79,8 +79,9 @@ impl Color<Factor> {
         self.zip(filter, multiply)
     }
 
-    /// Returns the light that a surface reflects, where `self` is the surface's coefficient in each
-    /// channel. The light is `coefficient * intensity * light`, rounded down to 2^-29, at most 1.
+    /// Returns the light that a surface reflects. In each channel, the surface has a coefficient,
+    /// which is in `self`. The result is `coefficient * intensity * light`, rounded down to 2^-29,
+    /// and is at most 1.
     ///
     /// The product of the two factors has Q30. The product with the intensity is cut to Q29, then
     /// converted to `U2F30`.
@@ -94,7 +95,7 @@ impl Color<Factor> {
 }
 
 impl Color<Weight> {
-    /// Full weight. Each channel is 1 - 2^-32, the greatest weight, which stands for 1.
+    /// The full weight. Each channel has the greatest weight, 1 - 2^-32, which stands for 1.
     pub(crate) const ALL: Self = Self::new(Weight::MAX, Weight::MAX, Weight::MAX);
     pub(crate) const BLACK: Self = Self::new(Weight::ZERO, Weight::ZERO, Weight::ZERO);
 
@@ -118,8 +119,8 @@ impl Color<Weight> {
         self.map(|c| Factor::from_bits(((c.to_bits() >> 16).wrapping_add(1) >> 1) as u16))
     }
 
-    /// Multiplies a radiance by the weights. The products are rounded down:
-    /// `U0F32 * U2F30 -> U2F30`.
+    /// Multiplies each channel of a radiance by the weight of that channel. The products are
+    /// rounded down: `U0F32 * U2F30 -> U2F30`.
     #[inline(always)]
     pub(crate) fn weigh(self, radiance: Color<Radiance>) -> Color<Radiance> {
         self.zip(radiance, |weight, radiance| {
@@ -131,13 +132,14 @@ impl Color<Weight> {
 impl Color<Radiance> {
     pub(crate) const BLACK: Self = Self::new(Radiance::ZERO, Radiance::ZERO, Radiance::ZERO);
 
-    /// Adds two radiances. A sum of 4 or more saturates just below 4.
+    /// Adds two radiances. If a sum would be 4 or more, it becomes the largest value below 4.
     #[inline(always)]
     pub(crate) fn plus(self, other: Self) -> Self {
         self.zip(other, Radiance::saturating_add)
     }
 
-    /// Multiplies each channel by 2^exponent. A product of 4 or more saturates just below 4.
+    /// Multiplies each channel by 2^exponent. If a product would be 4 or more, it becomes the
+    /// largest value below 4.
     #[inline(always)]
     pub(crate) fn brightened(self, exponent: u32) -> Self {
         self.map(|c| {

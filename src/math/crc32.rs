@@ -2,8 +2,8 @@ use super::color::Color;
 
 /// Computes a CRC-32 (IEEE 802.3) of bytes or pixels.
 ///
-/// A compiled scene ends with its CRC-32. Tests compare the CRC-32 of pictures that different
-/// targets render.
+/// The last bytes of a compiled scene are its CRC-32. Tests also use the CRC-32 to compare the
+/// pictures that different targets render.
 ///
 /// ```
 /// use whitted::codec::Crc32;
@@ -45,8 +45,8 @@ impl Crc32 {
 
 /// Advances the CRC register by eight bits, four bits at a time.
 ///
-/// The table for four bits takes 64 bytes of flash; a table for eight bits would take 1 KB. The
-/// function is not inlined, because the compiler would then unroll the loops of all callers, which
+/// The table for four bits takes 64 bytes of flash. A table for eight bits would take 1 KB. The
+/// function is not inlined. Otherwise, the compiler would unroll the loops of all callers, which
 /// takes more flash.
 #[inline(never)]
 fn shifted(register: u32) -> u32 {
@@ -55,7 +55,8 @@ fn shifted(register: u32) -> u32 {
     })
 }
 
-/// Words to XOR into the CRC register when four bits leave it, indexed by the value of those bits.
+/// For each value of four bits, the word to XOR into the CRC register when these bits are shifted
+/// out.
 static FOUR_BITS: [u32; 16] = {
     let mut table = [0; 16];
     let mut bits = 0;

@@ -1,7 +1,7 @@
 //! Formatting of the numbers of a scene as decimal text.
 //!
-//! This file replaces the `Display` implementation of the `fixed` crate, which contains panic
-//! paths. Firmware must not link panic paths.
+//! The `Display` implementation of the `fixed` crate contains panic paths. Firmware must not
+//! contain any, so the library uses this file instead.
 
 use core::fmt::{self, Display, Formatter, Write};
 
@@ -28,8 +28,9 @@ impl Display for Decimal {
 /// Writes the decimals of a fraction above 0, given as `U0F32`.
 fn decimals(fraction: u32, f: &mut Formatter<'_>) -> fmt::Result {
     // `rest` is the part of the fraction that remains to be written. `near` is half of 2^-32, the
-    // resolution of the fraction. Both are in units of 2^-33, and both grow by a factor of ten
-    // with each digit. Writing ends once the number written differs by less than `near`.
+    // resolution of the fraction. Both variables are in units of 2^-33 and are multiplied by ten
+    // for each digit. The loop ends when the digits written differ from the fraction by less than
+    // `near`.
     const ONE: u64 = 1 << 33;
     let mut rest = u64::from(fraction) << 1;
     let mut near = 1;

@@ -1,4 +1,5 @@
-//! Number formats of the library, and conversions of the numbers of a scene to them.
+//! The number formats of the library, and functions that convert the numbers of a scene to these
+//! formats.
 //!
 //! | format | used for | range | resolution |
 //! |---|---|---|---|
@@ -25,7 +26,7 @@ pub(crate) type Unit = fixed::types::I2F30;
 
 /// A material coefficient or one channel of a light: 0 to 1 with a resolution of 2^-15.
 ///
-/// A `Factor` has 16 bits, so a 32-bit multiply computes the product of two factors.
+/// A `Factor` has 16 bits, so the product of two factors needs only a 32-bit multiply.
 pub(crate) type Factor = fixed::types::U1F15;
 
 /// A cosine or a highlight that scales a light: 0 to 1 with a resolution of 2^-16.
@@ -41,7 +42,7 @@ pub(crate) type Weight = fixed::types::U0F32;
 
 /// Linear radiance of one channel: 0 to just below 4 with a resolution of 2^-30.
 ///
-/// White is 1. A sum of radiances saturates at the largest value.
+/// The radiance of white is 1. A sum of radiances that is too large becomes the largest value.
 pub type Radiance = fixed::types::U2F30;
 
 /// Distances below this limit, 8 - 1025 * 2^-28, count as near.
@@ -64,8 +65,8 @@ pub(crate) fn radiance(value: Real, exposure: u8) -> Radiance {
     Radiance::from_bits((value.to_bits() >> (2 + exposure)) as u32)
 }
 
-/// Converts a number from 0 to 1 to a weight. The conversion of 1 gives 1 - 2^-32, and smaller
-/// numbers are converted exactly.
+/// Converts a number from 0 to 1 to a weight. The number 1 becomes 1 - 2^-32. The conversion of
+/// smaller numbers is exact.
 pub(crate) fn weight(value: Real) -> Weight {
     Weight::from_bits(u32::try_from(value.to_bits()).unwrap_or(u32::MAX))
 }

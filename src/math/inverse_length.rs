@@ -7,10 +7,10 @@ use super::word::shifted;
 
 /// The reciprocal square root of an integer `n`.
 ///
-/// The fields represent `n` as `normalized * 2^(64 - 2*half_shift)`, with `normalized` in
-/// [1/4, 1). `n` is usually the squared length of a vector. The reciprocal root then serves to
-/// scale the vector to unit length, to compute its cosine to a direction, and to compute its
-/// length.
+/// The fields represent `n` as `normalized * 2^(64 - 2*half_shift)`, with `normalized` in [1/4, 1).
+/// Usually, `n` is the squared length of a vector. The reciprocal root then serves three purposes:
+/// to scale the vector to unit length, to compute the cosine between the vector and a direction,
+/// and to compute the length of the vector.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct InverseLength {
     /// The upper word of `n`, after a shift by an even number of bits: `U0F32` in [1/4, 1).
@@ -21,7 +21,7 @@ pub(crate) struct InverseLength {
     pub(crate) half_shift: u32,
 }
 
-/// Computes the reciprocal square root of an integer. An argument of 0 counts as 1.
+/// Computes the reciprocal square root of an integer. An argument of 0 is treated as 1.
 #[inline]
 pub(crate) fn inverse_length(square: u64) -> InverseLength {
     let (high, low) = ((square >> 32) as u32, square as u32);
@@ -31,7 +31,7 @@ pub(crate) fn inverse_length(square: u64) -> InverseLength {
     inverse_length_of(high, low)
 }
 
-/// Calls [`inverse_length`] out of line, to save flash where speed does not matter.
+/// Calls [`inverse_length`], but is not inlined. This saves flash where speed does not matter.
 #[inline(never)]
 pub(crate) fn inverse_length_outlined(square: u64) -> InverseLength {
     inverse_length(square)
@@ -60,23 +60,24 @@ fn inverse_length_of_word(square: u32) -> InverseLength {
 }
 
 impl InverseLength {
-    /// Returns the cosine between a direction and the vector whose inverse length `self` is.
+    /// Returns the cosine of the angle between a vector and a direction. `self` is the inverse
+    /// length of the vector.
     ///
-    /// `along` is the dot product of the raw bits of the vector and of the direction, which
-    /// is a [`Unit`] vector. The error of the cosine is below 2^-28.
+    /// `along` is the dot product of the vector and the direction, computed with their raw bits.
+    /// The direction is a [`Unit`] vector. The error of the cosine is below 2^-28.
     pub(crate) fn cosine(self, along: i64) -> Unit {
         // The length is below 2^(32 - half_shift), therefore |scaled| is below 2^30.
         let (high, low) = ((along >> 32) as i32, along as u32);
         let scaled = high << self.half_shift | ((low >> 1) >> (31 - self.half_shift)) as i32;
-        // `inverse` is from 1 to 2, as `U1F31`, and does not fit a signed word. The cast subtracts
-        // 2, so that a signed multiply can be used, which is one instruction on most cores.
-        // Doubling `scaled` adds the 2 again.
+        // `inverse` is a number from 1 to 2 in `U1F31`, which is too large for a signed word. The
+        // cast to a signed word subtracts 2. The signed multiply is one instruction on most cores.
+        // Adding twice `scaled` corrects the product.
         let product = upper(scaled, self.inverse as i32);
         Unit::from_bits((scaled << 1).wrapping_add(product))
     }
 
-    /// Returns `sqrt(n)`, rounded to an integer. Before rounding, the relative error is below
-    /// 2^-29.
+    /// Returns `sqrt(n)`, rounded to an integer. The relative error of the root before rounding is
+    /// below 2^-29.
     #[inline]
     pub(crate) fn length(self) -> u32 {
         // The product of `U0F32` and `U1F31` has Q63 and is in [1/2, 1). Times 2^(32 - half_shift),

@@ -47,10 +47,10 @@ impl Vec3<Length> {
         )
     }
 
-    /// Returns the vector scaled to unit length, and its inverse length. The components of the unit
-    /// vector have a resolution of 2^-30.
+    /// Returns the vector scaled to unit length, and the inverse length of the original vector. The
+    /// components of the unit vector have a resolution of 2^-30.
     ///
-    /// The vector must be shorter than 8. The zero vector stays the zero vector.
+    /// The vector must be shorter than 8. For a zero vector, the result is a zero vector.
     #[inline(always)]
     pub(crate) fn normalized(self) -> (Vec3<Unit>, InverseLength) {
         let inverse = inverse_length(self.squared().to_bits() as u64);

@@ -1,8 +1,9 @@
-//! Components of vectors along surface normals, with a shortcut for vertical normals.
+//! Computes the component of a vector along a surface normal, with a shortcut for vertical normals.
 //!
-//! The normal of a floor is exactly vertical. The component of a vector along that normal is the y
-//! coordinate of the vector, so the three products of the dot product are not needed. Each of
-//! them would be a call on Armv6-M. The shortcut gives the same bits as the products.
+//! The normal of a floor is exactly vertical. The component of a vector along this normal is the y
+//! coordinate of the vector. The shortcut returns this coordinate and avoids the three products of
+//! a dot product. On Armv6-M, each product would be a function call. The result is the same, bit
+//! for bit.
 
 use fixed::types::I6F58;
 use long_multiply::{IS_CALL, rounded};
@@ -26,24 +27,25 @@ pub(crate) fn component_along(v: Vec3<i32>, normal: Vec3<Unit>) -> i32 {
     component(v, n)
 }
 
-/// Returns the component of `v` along the unit normal `n`, which has Q30. Takes three products.
+/// Returns the component of `v` along the unit normal `n`, which has Q30. The computation takes
+/// three products.
 #[inline(always)]
 fn component(v: Vec3<i32>, n: Vec3<i32>) -> i32 {
     rounded::<30>(v.x.product(n.x) + v.y.product(n.y) + v.z.product(n.z))
 }
 
 impl Vec3<Unit> {
-    /// Returns the cosine between a direction and a surface normal, rounded half up.
+    /// Returns the cosine of the angle between a direction and a surface normal, rounded half up.
     ///
-    /// `is_up` may be true only if the normal is exactly (0, 1, 0). It enables a shortcut without
-    /// products.
+    /// `is_up` may be true only if the normal is exactly (0, 1, 0). If `is_up` is true, a shortcut
+    /// without products may be used.
     #[inline(always)]
     pub(crate) fn cosine_to_normal(self, normal: Self, is_up: bool) -> Unit {
         self.cosine_by::<IS_CALL>(normal, is_up)
     }
 
-    /// Computes [`cosine_to_normal`](Self::cosine_to_normal). The shortcut for a normal that points
-    /// up is compiled only if `HAS_SHORTCUT` is true.
+    /// Implements [`cosine_to_normal`](Self::cosine_to_normal). The shortcut for a normal that
+    /// points up is compiled only if `HAS_SHORTCUT` is true.
     #[inline(always)]
     fn cosine_by<const HAS_SHORTCUT: bool>(self, normal: Self, is_up: bool) -> Unit {
         if HAS_SHORTCUT && is_up {
@@ -57,14 +59,15 @@ impl Vec3<Unit> {
 impl Vec3<Length> {
     /// Returns the exact component of the vector along a surface normal: `I4F28 * I2F30 -> I6F58`.
     ///
-    /// `is_vertical` may be true only if the normal is exactly (0, 1, 0) or (0, -1, 0). It enables
-    /// a shortcut without products. The vector must be shorter than 8.
+    /// `is_vertical` may be true only if the normal is exactly (0, 1, 0) or (0, -1, 0). If
+    /// `is_vertical` is true, a shortcut without products may be used. The vector must be shorter
+    /// than 8.
     #[inline(always)]
     pub(crate) fn along_normal(self, normal: Vec3<Unit>, is_vertical: bool) -> I6F58 {
         self.along_by::<IS_CALL>(normal, is_vertical)
     }
 
-    /// Computes [`along_normal`](Self::along_normal). The shortcut for a vertical normal is
+    /// Implements [`along_normal`](Self::along_normal). The shortcut for a vertical normal is
     /// compiled only if `HAS_SHORTCUT` is true.
     #[inline(always)]
     fn along_by<const HAS_SHORTCUT: bool>(self, normal: Vec3<Unit>, is_vertical: bool) -> I6F58 {
@@ -90,7 +93,7 @@ mod tests {
     const UP: Vec3<Unit> = Vec3::new(Unit::ZERO, Unit::ONE, Unit::ZERO);
     const CASES: u32 = if cfg!(miri) { 200 } else { 100_000 };
 
-    /// Returns a random vector. Its components have random magnitudes up to 2^30.
+    /// Returns a random vector. The magnitudes of its components are random numbers up to 2^30.
     fn vector(random: &mut Rng) -> Vec3<i32> {
         let mut c = || random.i32(-1 << 30..=1 << 30) >> random.u32(..31);
         Vec3::new(c(), c(), c())

@@ -3,10 +3,10 @@ use super::square_root::square_root;
 
 /// Returns `base^exponent` as `U1F31`.
 ///
-/// `base` is from 0 to 1, as `U1F31`. `exponent` is at least 1, as `U16F16`. The error is below
-/// 2^-30 * (exponent + 16). The function takes one or two products for each bit of the exponent's
-/// integer part. For the fraction, it takes one square root for each bit from the top down to the
-/// lowest bit that is set.
+/// `base` is a `U1F31` from 0 to 1. `exponent` is a `U16F16` of at least 1. The error of the
+/// result is below 2^-30 * (exponent + 16). Each bit of the exponent's integer part takes one or
+/// two products. Each bit of its fraction takes one square root, down to the lowest bit that is
+/// set.
 #[inline(never)]
 pub(crate) fn power(base: u32, exponent: u32) -> u32 {
     let Some(mut result) = integer_power(base, exponent >> 16) else {
@@ -25,8 +25,8 @@ pub(crate) fn power(base: u32, exponent: u32) -> u32 {
     result
 }
 
-/// Returns `base^exponent` as `U1F31`, by repeated squaring. `exponent` is an integer. Returns
-/// `None` if a square rounds to 0.
+/// Returns `base^exponent` as `U1F31`, for an integer exponent. The function squares `base`
+/// repeatedly and returns `None` if one of the squares rounds to 0.
 fn integer_power(base: u32, mut exponent: u32) -> Option<u32> {
     const ONE: u32 = 1 << 31;
     let (mut result, mut square) = (ONE, base);

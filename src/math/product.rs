@@ -1,7 +1,8 @@
 //! Exact 64-bit products of two 32-bit numbers.
 //!
-//! On Armv7-M and later, such a product is one instruction. Armv6-M has no such instruction: a
-//! product is a call of 19 instructions, and a square is 10 inlined instructions.
+//! Armv7-M and later cores compute such a product in one instruction. Armv6-M cores have no
+//! such instruction. On these cores, a product is a call of a function with 19 instructions,
+//! and a square takes 10 inlined instructions.
 
 use core::ops::Add;
 
@@ -9,7 +10,8 @@ use fixed::{FixedI32, FixedI64};
 
 /// Exact multiplication of two 32-bit numbers.
 pub(crate) trait Product<Other = Self> {
-    /// 64-bit format with as many fraction bits as both operands have together.
+    /// The 64-bit format of the product. It has as many fraction bits as both operands
+    /// together.
     type Output;
 
     /// Returns the exact product `self * other`.
@@ -46,7 +48,7 @@ impl<F: Add<G>, G> Product<FixedI32<G>> for FixedI32<F> {
 
 /// Exact square of a 32-bit number.
 pub(crate) trait Square {
-    /// 64-bit format with twice the fraction bits of the operand.
+    /// The 64-bit format of the square. It has twice as many fraction bits as the operand.
     type Output;
 
     /// Returns the exact square `self * self`. On Armv6-M a square is cheaper than a product.

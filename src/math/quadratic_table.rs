@@ -1,8 +1,9 @@
-//! Tables of quadratics and a Newton step, which compute reciprocals and reciprocal roots.
+//! Computes reciprocals and reciprocal square roots by tables of quadratics and a Newton step.
 //!
-//! The library does not divide while it traces, because the Cortex-M0+ has no divider. Instead, a
-//! table of quadratics approximates the function to 2^-17, and one Newton step refines the result
-//! to 2^-30. The tables are computed at compile time, in integers.
+//! The library does not divide while it traces rays, because the Cortex-M0+ has no divider.
+//! Instead, a quadratic from a table approximates the reciprocal or the reciprocal root to 2^-17.
+//! One Newton step then refines this approximation to 2^-30. The tables are computed at compile
+//! time, in integers.
 
 use long_multiply::by_16_bits;
 
@@ -36,7 +37,7 @@ pub(super) fn evaluate([c0, c1, c2]: Quadratic, x: i32) -> u32 {
 /// `y` has Q20. `error` has Q47 and is below 2^-15. The result never exceeds the true value of the
 /// function, so it stays below 2.
 pub(super) fn refined(y: u32, error: i32) -> u32 {
-    // The Newton step changes `y` by less than 2^-15 of `y`, so the top 16 bits of `y` are enough
-    // to compute the change.
+    // The Newton step changes `y` by less than `2^-15 * y`. The top 16 bits of `y` are therefore
+    // enough to compute the change.
     (y << 11).wrapping_add_signed(by_16_bits(y >> 5, error))
 }

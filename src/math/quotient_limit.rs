@@ -6,9 +6,10 @@ use super::product::wide;
 /// Returns true if the quotient `2^30 n / d`, in units of 2^-28, is at least `limit`. `d` must be
 /// below 2^31.
 ///
-/// The comparison needs one product and no division. On Armv6-M, where a product is a call, the
-/// comparison with [`NEAR_LIMIT`] uses shifts instead. With shifts, the function may return false
-/// for quotients from `NEAR_LIMIT` to less than `NEAR_LIMIT + 2^-28`. All other results are exact.
+/// The function multiplies and does not divide. On Armv6-M, where each product is a function call,
+/// the comparison with [`NEAR_LIMIT`] uses shifts instead. The comparison by shifts may return
+/// false for quotients from `NEAR_LIMIT` to less than `NEAR_LIMIT + 2^-28`. All other results are
+/// exact.
 pub(crate) fn quotient_reaches(n: u32, d: u32, limit: Length) -> bool {
     if IS_CALL && limit == NEAR_LIMIT {
         reaches_near_limit(n, d)
@@ -17,14 +18,14 @@ pub(crate) fn quotient_reaches(n: u32, d: u32, limit: Length) -> bool {
     }
 }
 
-/// Returns true if `2^30 n / d` is at least the raw bits of `limit`. The result is exact: the
-/// function compares `2^30 n` with the product of `d` and the limit.
+/// Returns true if `2^30 n / d` is at least the raw bits of `limit`. The result is exact, because
+/// the function compares `2^30 n` with the product of `d` and the limit.
 fn reaches(n: u32, d: u32, limit: Length) -> bool {
     u64::from(n) << 30 >= wide(d, limit.to_bits() as u32)
 }
 
-/// Returns true if `2^30 n / d` is at least 2^31 - 1024. The function uses shifts instead of a
-/// product. The bound exceeds the raw bits of [`NEAR_LIMIT`] by 1.
+/// Returns true if `2^30 n / d` is at least 2^31 - 1024, which is the raw bits of [`NEAR_LIMIT`]
+/// plus 1. The function uses shifts instead of a product.
 fn reaches_near_limit(n: u32, d: u32) -> bool {
     n >= 2 * d - (d >> 20)
 }
@@ -35,8 +36,8 @@ mod tests {
 
     use super::*;
 
-    /// Asserts that the comparison by shifts gives the exact result, unless the quotient is at
-    /// least [`NEAR_LIMIT`] and less than 2^-28 above it.
+    /// Asserts that the comparison by shifts agrees with the exact comparison. The results may
+    /// differ only for quotients from [`NEAR_LIMIT`] to less than `NEAR_LIMIT + 2^-28`.
     fn check(n: u32, d: u32) {
         let (exact, by_shifts) = (reaches(n, d, NEAR_LIMIT), reaches_near_limit(n, d));
         if exact != by_shifts {
@@ -51,7 +52,8 @@ mod tests {
         for _ in 0..if cfg!(miri) { 200 } else { 1_000_000 } {
             let d = random.u32(1..1 << 31) >> random.u32(..31);
             check(random.u32(..1 << 31) >> random.u32(..31), d);
-            // Checks numerators around the threshold, where the two comparisons may differ.
+            // Checks numerators at which the quotient is close to the limit, because the results
+            // of the two comparisons may differ there.
             let threshold = 2 * u64::from(d) - ((u64::from(d) * 1025) >> 30);
             for n in threshold.saturating_sub(4)..=threshold + 4 {
                 if let Ok(n) = u32::try_from(n) {

@@ -7,8 +7,8 @@ const fn reciprocal_at(x: u64) -> u64 {
     below_two(((1 << 31) / x).div_ceil(2))
 }
 
-/// Quadratics that approximate 1/x for x in [1/2, 1). The index is the five bits of x below its top
-/// bit. The table takes 384 bytes.
+/// Quadratics that approximate 1/x for x in [1/2, 1). The five bits of x below its top bit are the
+/// index of the quadratic. The table takes 384 bytes.
 static RECIPROCAL: [Quadratic; SEGMENTS] = {
     let mut table = [[0; 3]; SEGMENTS];
     let mut i = 0;
@@ -32,14 +32,15 @@ pub(crate) fn reciprocal(x: u32) -> u32 {
     debug_assert!(x >> 31 == 1);
     let segment = RECIPROCAL[(x >> 26) as usize & (SEGMENTS - 1)];
     let y = evaluate(segment, (x >> 12) as i32 & 0x3fff);
-    // `error` is 1 - x*y. The product of `U0F32` and `U1F31` has Q63. Because the error is below
-    // 2^-16, the top 16 bits are not needed, and the middle 32 bits hold the error in Q47.
+    // `error` is 1 - x*y. The product of x, a `U0F32`, and y, a `U1F31`, is in Q63. The error is
+    // below 2^-16, so the top 16 bits of the product are not needed. The middle 32 bits hold the
+    // error in Q47.
     let error = !middle(x, y << 11) as i32;
     // Returns y + y * error.
     refined(y, error)
 }
 
-/// Calls [`reciprocal`] out of line, to save flash where speed does not matter.
+/// Calls [`reciprocal`] and is not inlined. This saves flash where speed does not matter.
 #[inline(never)]
 pub(crate) fn reciprocal_outlined(x: u32) -> u32 {
     reciprocal(x)

@@ -2,9 +2,9 @@ use long_multiply::{middle, square_of_21_bits};
 
 use super::quadratic_table::{Quadratic, SEGMENTS, below_two, evaluate, quadratic, refined};
 
-/// Number of table segments. The table covers arguments from 0 to 1 in equal segments, so that no
-/// index of six bits is out of range. Arguments below 1/4 do not occur, so the first quarter of the
-/// table is unused.
+/// Number of table segments. The segments are equal parts of the range from 0 to 1, so every index
+/// of six bits is valid. Arguments below 1/4 do not occur, so the first quarter of the table is
+/// unused.
 const ROOT_SEGMENTS: usize = 2 * SEGMENTS;
 
 /// Returns 1/sqrt(x) in Q20, for `x` in Q10. The function runs at compile time.
@@ -12,8 +12,8 @@ const fn reciprocal_root_at(x: u64) -> u64 {
     below_two(((1 << 62) / x).isqrt().div_ceil(1 << 6))
 }
 
-/// Quadratics that approximate 1/sqrt(x) for x in [1/4, 1). The index is the top six bits of x. The
-/// table takes 768 bytes.
+/// Quadratics that approximate 1/sqrt(x) for x in [1/4, 1). The top six bits of x are the index of
+/// the quadratic. The table takes 768 bytes.
 static RECIPROCAL_ROOT: [Quadratic; ROOT_SEGMENTS] = {
     let mut table = [[0; 3]; ROOT_SEGMENTS];
     let mut i = ROOT_SEGMENTS / 4;
@@ -37,9 +37,11 @@ pub(crate) fn reciprocal_root(x: u32) -> u32 {
     debug_assert!(x >> 30 != 0);
     let segment = RECIPROCAL_ROOT[(x >> 26) as usize];
     let y = evaluate(segment, (x >> 12) as i32 & 0x3fff);
-    // `error` is 1 - x*y*y. The square of y has Q30, and its product with x has Q62. Because the
-    // error is below 2^-15, the top bits are not needed, and the middle 32 bits hold it in Q46.
+    // `error` is 1 - x*y*y. The square of y is in Q30, and the product of this square and x is in
+    // Q62. The error is below 2^-15, so the top bits of the product are not needed. The middle 32
+    // bits hold the error in Q46.
     let error = !middle(x, square_of_21_bits(y)) as i32;
-    // Returns y + y * error / 2. Reading an error in Q46 as Q47 halves it.
+    // Returns y + y * error / 2. The error is in Q46, but `refined` reads it as Q47, which halves
+    // it.
     refined(y, error)
 }

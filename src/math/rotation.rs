@@ -1,9 +1,10 @@
 //! Rotations, stored as the sine and cosine of their angles. Only this file uses floats.
 //!
-//! The `micromath` crate approximates sine and cosine by parabolas, which shift the angle by up to
-//! 0.002 radians. The parabolas consist of `f32` sums, products and conversions. IEEE 754 defines
-//! these operations to the last bit, so every target computes the same bits. The sine and cosine
-//! are then scaled in fixed point so that their squares add up to 1: a rotation keeps lengths.
+//! The `micromath` crate approximates sine and cosine by parabolas. The approximation changes the
+//! angle by up to 0.002 radians. It uses only sums, products and conversions of `f32` numbers.
+//! IEEE 754 defines the results of these operations to the last bit, so the results are the same
+//! on every target. Fixed-point code then scales the sine and cosine so that their squares add up
+//! to 1. A rotation therefore keeps lengths.
 
 use micromath::F32Ext;
 
@@ -29,8 +30,8 @@ impl Rotation {
 
     /// Creates a rotation by any angle in degrees.
     ///
-    /// Multiples of 90 degrees are exact. Other angles have an error of up to 0.11 degrees.
-    /// `sqrt(cos² + sin²)` differs from 1 by less than 2^-29.
+    /// Rotations by multiples of 90 degrees are exact. For other rotations, the error of the angle
+    /// is at most 0.11 degrees. The length `sqrt(cos² + sin²)` differs from 1 by less than 2^-29.
     pub(crate) fn by(degrees: Real) -> Self {
         const FULL: i64 = 360 << 32;
         const QUARTER: i64 = FULL / 4;
@@ -54,7 +55,8 @@ impl Rotation {
         }
     }
 
-    /// Creates a rotation by an angle from -45 to 45 degrees. `angle` is in degrees, with Q32.
+    /// Creates a rotation by an angle from -45 to 45 degrees. `angle` is a number of degrees in
+    /// Q32.
     fn by_less(angle: i64) -> Self {
         #![allow(clippy::float_arithmetic, reason = "the library's only floats")]
         const RADIAN: f32 = core::f32::consts::PI / 180.0 / (1_u64 << 32) as f32;
@@ -68,8 +70,8 @@ impl Rotation {
         })
     }
 
-    /// Returns the rotation by the sum of both angles. Its sine and cosine are computed in Q60 and
-    /// rounded half up to Q30.
+    /// Returns the rotation by the sum of the two angles. The sine and cosine of the sum are
+    /// computed in Q60 and rounded half up to Q30.
     pub(crate) fn then(self, next: Self) -> Self {
         let cos = self.cos.product(next.cos) - self.sin.product(next.sin);
         let sin = self.sin.product(next.cos) + self.cos.product(next.sin);
@@ -100,7 +102,7 @@ mod tests {
 
     #[test]
     fn angles_and_lengths_are_within_their_bounds() {
-        // Miri runs this test a thousand times slower, so it checks fewer angles.
+        // Miri runs this test a thousand times slower, so the test checks fewer angles in Miri.
         for tenths in (-7200..7200).step_by(if cfg!(miri) { 97 } else { 1 }) {
             let degrees = f64::from(tenths) / 10.0;
             let turn = Rotation::by(Real::from_num(degrees));

@@ -19,8 +19,9 @@ pub(crate) fn scaled<const SHIFT: u32>(v: Vec3<i32>, by: i32) -> Vec3<i32> {
 /// [`InverseLength`] computed from the vector's squared length.
 #[inline(always)]
 pub(crate) fn normalize(v: Vec3<i32>, inverse: InverseLength) -> Vec3<Unit> {
-    // Shifts the vector to a length from 2^30 to 2^31. The upper word of its product with the
-    // reciprocal length is then the result.
+    // The shift gives the vector a length from 2^30 to 2^31. Each component is then
+    // multiplied by the reciprocal length. The upper word of the product is the component of
+    // the result.
     let shift = inverse.half_shift.wrapping_sub(1) & 31;
     let Vec3 { x, y, z } = v.map(|c| c << shift);
     let [x, y, z] = long_multiply::reduced([x, y, z], inverse.inverse);

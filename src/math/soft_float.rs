@@ -5,7 +5,8 @@ use super::word::shifted_up;
 
 /// A floating-point number of at least 0: `mantissa * 2^exponent`.
 ///
-/// Comparing two `SoftFloat`s compares their values only if the top bit of each mantissa is set.
+/// The order of two `SoftFloat`s is the order of their values only if the top bit of each mantissa
+/// is set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct SoftFloat {
     pub(crate) exponent: i32,
@@ -19,7 +20,7 @@ impl SoftFloat {
         exponent: -64,
     };
 
-    /// Converts a distance of at least 0, without normalizing the mantissa.
+    /// Converts a distance of at least 0 to a `SoftFloat`, without normalizing the mantissa.
     ///
     /// The result must not be compared with other `SoftFloat`s, because the top bit of its mantissa
     /// is not set.
@@ -30,8 +31,8 @@ impl SoftFloat {
         }
     }
 
-    /// Converts a number in units of 2^-28 to a distance, rounded half up. Returns `None` if the
-    /// distance is not below [`NEAR_LIMIT`].
+    /// Returns the number as a distance, rounded half up. One unit of the number is a distance of
+    /// 2^-28. Returns `None` if the distance is [`NEAR_LIMIT`] or more.
     #[inline]
     pub(crate) fn near(self) -> Option<Length> {
         let shift = self.exponent.checked_neg()?.checked_sub(1)?;
@@ -69,8 +70,8 @@ pub(crate) fn quotient(n: u64, d: u64) -> SoftFloat {
     }
 }
 
-/// Returns `a * b / 2^(64 - shift)`, rounded down. Before rounding, the relative error is below
-/// 2^-30.
+/// Returns `a * b / 2^(64 - shift)`, rounded down. Before rounding, the relative error of the
+/// result is below 2^-30.
 #[inline(never)]
 pub(crate) fn upper_product(a: u64, b: u64, shift: u32) -> u64 {
     let ((a, a_shift), (b, b_shift)) = (shifted_up(a), shifted_up(b));

@@ -1,6 +1,7 @@
 use super::inverse_length::inverse_length_outlined;
 
-/// Returns `sqrt(x)`, rounded to an integer. Before rounding, the relative error is below 2^-29.
+/// Returns `sqrt(x)`, rounded to an integer. Before rounding, the relative error of the root is
+/// below 2^-29.
 ///
 /// The root has half as many fraction bits as `x`: if `x` has Q56, the root has Q28.
 #[inline(never)]

@@ -22,7 +22,7 @@ pub(crate) fn tangent_of_half(degrees: Real) -> u32 {
     // Half the angle in radians: the product of Q32 and Q60 is shifted down to Q60.
     let x = ((i128::from(degrees.to_bits()) * i128::from(PI_BY_360)) >> 32) as i64;
     let square = multiply(x, x);
-    // Evaluates 1 - x²/(k(k+1)) (1 - x²/((k+2)(k+3)) (1 - ...)), where k = first.
+    // Evaluates the series 1 - x²/(k(k+1)) (1 - x²/((k+2)(k+3)) (1 - ...)), where k is `first`.
     let series = |first: i64| {
         (0..12)
             .rev()

@@ -16,7 +16,8 @@ impl Vec3<Unit> {
         self.x.product(other.x) + self.y.product(other.y) + self.z.product(other.z)
     }
 
-    /// Returns the exact cross product of two directions, as the raw bits of `I4F60` numbers.
+    /// Returns the exact cross product of two directions. Its components are the raw bits of
+    /// `I4F60` numbers.
     pub(crate) fn cross(self, other: Self) -> Vec3<i64> {
         let minor = |p: Unit, q: Unit, r: Unit, s: Unit| (p.product(q) - r.product(s)).to_bits();
         Vec3::new(
@@ -36,7 +37,7 @@ impl Vec3<Unit> {
         round_unit::<30>(self.dot(other).to_bits())
     }
 
-    /// Multiplies a unit vector by a distance. The components are rounded half up:
+    /// Multiplies a unit vector by a distance. The components of the product are rounded half up:
     /// `I2F30 * I4F28 -> I4F28`.
     pub(crate) fn times(self, distance: Length) -> Vec3<Length> {
         scaled::<30>(self.map(Unit::to_bits), distance.to_bits()).map(Length::from_bits)
@@ -49,7 +50,7 @@ impl Vec3<Unit> {
         normalize(self.map(Unit::to_bits), inverse)
     }
 
-    /// Calls [`unit`](Self::unit) out of line, to save flash where speed does not matter.
+    /// Calls [`unit`](Self::unit) and is not inlined. This saves flash where speed does not matter.
     #[inline(never)]
     pub(crate) fn unit_outlined(self) -> Self {
         let inverse = inverse_length_outlined(self.squared().to_bits() as u64);
@@ -59,10 +60,11 @@ impl Vec3<Unit> {
     /// Scales an almost normalized vector n to unit length by one Newton step, n (3 - n²) / 2.
     ///
     /// The step needs no square root. If the length of n is within 2^-16 of 1, the length of the
-    /// result is 1 except for rounding errors.
+    /// result differs from 1 only by rounding errors.
     #[inline]
     pub(crate) fn renormalized(self) -> Self {
-        // The squared length is rounded from Q60 to Q30. `excess`, its difference to 1, is small.
+        // Rounds the squared length from Q60 to Q30. `excess` is 1 minus the squared length, and is
+        // small.
         let square = rounded::<30>(self.squared().to_bits());
         let excess = (1_i32 << 30).wrapping_sub(square);
         self.map(|c| {
@@ -77,8 +79,8 @@ impl Vec3<Unit> {
     }
 }
 
-/// Returns the unit vector in the direction of `v`. `v` may be in any unit, but must be shorter
-/// than 2^63 units.
+/// Returns the unit vector in the direction of `v`. The components of `v` may be in any unit, but
+/// `v` must be shorter than 2^63 units.
 ///
 /// Returns `None` if the magnitude of every component is below 2^10.
 pub(crate) fn direction(v: Vec3<i64>) -> Option<Vec3<Unit>> {
@@ -86,8 +88,8 @@ pub(crate) fn direction(v: Vec3<i64>) -> Option<Vec3<Unit>> {
     if most <= 10 {
         return None;
     }
-    // Shifts the vector so that its largest component has 30 bits. Rounding may carry into one more
-    // bit.
+    // Shifts the vector so that its largest component has 30 bits. Rounding may increase this
+    // component to 31 bits.
     let v = if most <= 30 {
         v.map(|c| (c << (30 - most)) as i32)
     } else {

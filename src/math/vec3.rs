@@ -2,7 +2,8 @@ use core::ops::{Add, Neg, Sub};
 
 use super::format::Real;
 
-/// A point or a vector: x points right, y up, z towards the viewer.
+/// A point or a vector. The x axis points right, the y axis up, and the z axis towards the
+/// viewer.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Vec3<T> {
     /// Component to the right.

@@ -8,8 +8,8 @@ use long_multiply::{leading_zeros, rounded};
 use super::format::{Length, Unit};
 use super::product::Product;
 
-/// Shifts the 64-bit number `high * 2^32 + low` up and returns the upper word of the result. `up`
-/// must be from 0 to 31.
+/// Shifts the 64-bit number `high * 2^32 + low` to the left by `up` bits and returns the upper
+/// word of the result. `up` must be from 0 to 31.
 pub(super) fn shifted(high: u32, low: u32, up: u32) -> u32 {
     high << up | (low >> 1) >> (31 - up)
 }
@@ -29,8 +29,9 @@ pub(super) fn shifted_up(x: u64) -> (u32, u32) {
 
 /// Returns the lower word of a number below 2^32, or 1 if the word is 0.
 ///
-/// Such small numbers are rare. A branch to this function, which is not inlined, costs less than
-/// counting the leading zeros of two words for every number.
+/// Numbers below 2^32 are rare. For such a number, [`shifted_up`] branches to this function,
+/// which is not inlined. The branch costs less than counting the leading zeros of two words for
+/// every number.
 #[cold]
 #[inline(never)]
 fn at_least_one(low: u32) -> u32 {

@@ -1,8 +1,8 @@
 //! Computes the bounds that exclude most objects before a ray is tested against them.
 //!
-//! Most rays miss most objects. All shadow rays of a light start at one point, so bounds for
-//! these rays are computed once per scene. Bounds for camera rays are computed for each
-//! scanline instead, so that the camera may move.
+//! Most rays miss most objects. All shadow rays of a light start at the light, so the bounds
+//! for these rays are computed once per scene. The camera may move, so the bounds for camera
+//! rays are computed for each scanline.
 
 mod groups;
 mod isolation;

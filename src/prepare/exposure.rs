@@ -9,12 +9,12 @@ pub(super) fn ambient(material: &scene::Material, scene: &Scene<'_>) -> Color<Re
         .zip(scene.ambient, |ka, ia| ka.saturating_mul(ia))
 }
 
-/// Returns the exponent of the power of two by which all light of a scene is divided. After the
-/// division, lights and background are within 0 to 1, and the radiance of a surface without
-/// secondary rays is below 4.
+/// Returns the exposure of a scene. All light in the scene is divided by `2^exposure`. After
+/// the division, the colors of lights and background are within 0 to 1. The radiance of a
+/// surface, without its reflected and transmitted rays, is then below 4.
 pub(super) fn exposure(scene: &Scene<'_>) -> u8 {
-    /// Greatest radiance of a surface. The value is a little below 4 to leave room for
-    /// rounding.
+    /// Greatest radiance of a surface after the division. The value is a little below 4 to
+    /// leave room for rounding.
     const MOST: Real = Real::lit("3.99");
     let mut exponent = 0;
     let mut fit = |color: Color<Real>, white: Real| {

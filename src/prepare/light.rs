@@ -9,12 +9,12 @@ pub(crate) struct Light {
     pub(crate) position: Vec3<Length>,
     pub(crate) diffuse: Color<Factor>,
     pub(crate) specular: Color<Factor>,
-    /// True if an unbounded object may occlude a bounded one from this light. The field is
-    /// derived, so compiled scenes do not store it.
+    /// True if an unbounded object may hide a bounded object from this light. Compiled scenes
+    /// do not store this field, because decoding computes it.
     pub(crate) is_occluded_by_planes: bool,
-    /// Flag that an object has if nothing can occlude it from this light. From the ninth light
-    /// on, no flag is left and this set is empty. The flag is derived, so compiled scenes do
-    /// not store it.
+    /// The flag of objects that no other object can hide from this light. Only the first eight
+    /// lights have such a flag. For other lights, this set of flags is empty. Compiled scenes
+    /// do not store this field, because decoding computes it.
     pub(crate) unoccluded: SurfaceFlags,
 }
 
@@ -29,7 +29,7 @@ impl Light {
         }
     }
 
-    /// Returns true if every field is within the range that tracing relies on.
+    /// Returns true if every field is within its valid range. Tracing relies on these ranges.
     #[inline(never)]
     pub(crate) fn is_valid(&self) -> bool {
         valid::is_within_one(&self.position) && valid::are_factors([self.diffuse, self.specular])

@@ -18,12 +18,12 @@ pub(crate) struct Material {
     pub(crate) kt: Color<Weight>,
     /// Exponent of the highlight as `U16F16`, from 1 to 4096.
     pub(crate) shininess: u32,
-    /// True if the material reflects or transmits rays. The field is derived, so compiled
-    /// scenes do not store it.
+    /// True if the material reflects or transmits rays. Compiled scenes do not store this
+    /// field, because decoding computes it.
     pub(crate) is_specular: bool,
-    /// Smallest cosine at which a highlight is visible, as `U1F31`. The value is above 1 if the
-    /// material has no visible highlight. The field is derived, so compiled scenes do not store
-    /// it.
+    /// The highlight of the material is visible only if the cosine of its angle is at least
+    /// this number, a `U1F31`. The number is above 1 if the material has no visible highlight.
+    /// Compiled scenes do not store this field, because decoding computes it.
     pub(crate) min_highlight_cosine: u32,
     /// Index of refraction, from 1 to 4.
     pub(crate) ior: Length,
@@ -97,7 +97,7 @@ impl Material {
         }
     }
 
-    /// Returns true if every field is within the range that tracing relies on.
+    /// Returns true if every field is within its valid range. Tracing relies on these ranges.
     pub(crate) fn is_valid(&self) -> bool {
         valid::are_factors([self.kd, self.ks])
             && (1 << 16..=4096 << 16).contains(&self.shininess)
@@ -122,12 +122,13 @@ impl Fields for Material {
     }
 }
 
-/// Returns the smallest cosine at which a highlight with this exponent is visible. A highlight
-/// is visible if the cosine, raised to the exponent, is at least half a unit of a [`Factor`].
-/// The cosine is `U1F31`, the exponent is `U16F16` and at least 1. The result may be one unit
-/// too small.
+/// Returns the smallest cosine, as `U1F31`, at which a highlight with this exponent is visible.
+/// A highlight is visible if the cosine, raised to the exponent, is at least half a unit of a
+/// [`Factor`]. `exponent` is a `U16F16` of at least 1. For an integer exponent, the result may
+/// be one unit too small.
 fn min_highlight_cosine(exponent: u32) -> u32 {
-    // The fraction of the exponent is ignored. It could only raise the smallest visible cosine.
+    // Ignores the fraction of the exponent, because the fraction could only increase the
+    // result.
     let is_invisible = |base| power(base, exponent >> 16 << 16) < 1 << 15;
     let (mut invisible, mut visible) = (0, 1 << 31);
     while visible - invisible > 1 {

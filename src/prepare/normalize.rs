@@ -3,8 +3,8 @@ use crate::geometry::{Extent, Normalization};
 use crate::math::Real;
 use crate::scene::Scene;
 
-/// Finds the scale of a scene. In the scaled scene, bounded geometry, eye and lights are within
-/// ±1, and the clip boxes of planes are within ±4.
+/// Finds the scale of a scene. In the scaled scene, the coordinates of bounded objects, eye and
+/// lights are within ±1. The coordinates of the clip boxes of planes are within ±4.
 pub(super) fn normalization(scene: &Scene<'_>) -> Normalization {
     let mut extent = Extent::new(scene.camera.eye);
     for light in scene.lights {

@@ -6,8 +6,8 @@ use crate::geometry::{Plane, Shape, SurfaceFlags, Texture};
 pub(crate) struct Object {
     pub(crate) shape: Shape,
     pub(crate) texture: Texture,
-    /// Flags of the shape, and flags that culling sets. The field is derived, so compiled
-    /// scenes do not store it.
+    /// Flags that describe the shape, and flags that culling sets. Compiled scenes do not
+    /// store this field, because decoding computes it.
     pub(crate) flags: SurfaceFlags,
 }
 
@@ -28,7 +28,7 @@ impl Object {
         }
     }
 
-    /// Returns true if every field is within the range that tracing relies on.
+    /// Returns true if every field is within its valid range. Tracing relies on these ranges.
     pub(crate) fn is_valid(&self, materials: u16) -> bool {
         self.shape.is_valid() && self.texture.is_valid(materials)
     }

@@ -10,10 +10,10 @@ use crate::math::{Color, Factor, Real};
 use crate::scene;
 use crate::scene::{CapacityError, SceneCounts, SceneError};
 
-/// Receives the items of a scene while the scene is prepared or decoded.
+/// Receives the objects, lights and materials of a scene while the scene is prepared or decoded.
 ///
-/// The functions that prepare and decode a scene take a `SceneSink` instead of a buffer. They
-/// are therefore compiled only once, and not once for each capacity of a buffer.
+/// The functions that prepare and decode a scene take a `SceneSink` instead of a buffer. The
+/// functions are therefore compiled only once, and not once for each capacity of a buffer.
 pub(crate) trait SceneSink {
     fn clear(&mut self);
     fn push_object(&mut self, object: Object) -> Result<(), CapacityError>;
@@ -21,7 +21,7 @@ pub(crate) trait SceneSink {
     fn push_material(&mut self, material: Material) -> Result<(), CapacityError>;
 }
 
-/// The items of a scene, and the memory for data that culling derives from these items.
+/// The objects, lights and materials of a scene, and memory for the data that culling computes.
 pub(crate) struct SceneLists<'b> {
     pub(crate) objects: &'b mut [Object],
     pub(crate) lights: &'b mut [Light],
@@ -50,13 +50,14 @@ pub struct PreparedScene<'b> {
     pub(crate) groups: &'b [CullSphere],
     /// Indices of the unbounded objects.
     pub(crate) unbounded: &'b [u16],
-    /// Cones of the bounded objects as seen from the first light, then from the second light,
-    /// and so on.
+    /// Cones around the bounded objects. The cones that start at the first light come first,
+    /// then those of the second light, and so on.
     light_cones: &'b [LightCone],
 }
 
 impl<'b> PreparedScene<'b> {
-    /// Computes the culling data of a scene. All items of the scene must be in the lists.
+    /// Returns a prepared scene and computes its culling data. `lists` must contain all objects,
+    /// lights and materials of the scene.
     pub(crate) fn new(lists: SceneLists<'b>, settings: Settings) -> Self {
         let SceneLists {
             objects,
@@ -104,16 +105,17 @@ impl<'b> PreparedScene<'b> {
             .materials(self.materials.len())
     }
 
-    /// Replaces the camera and keeps everything else in the scene. This takes only a fraction
-    /// of the work of preparing the scene, and also works for a decoded scene.
+    /// Replaces the camera and keeps everything else in the scene. This is much faster than
+    /// preparing the scene again. It also works for a decoded scene.
     ///
     /// The picture is usually the same, bit for bit, as if the scene were prepared again with
-    /// the new camera. It differs only if preparing would choose another scale for the scene,
-    /// because positions would then be rounded differently, by 2^-28 of the size of the scene.
+    /// the new camera. The picture differs only if the new camera would change the scale of the
+    /// scene. Another scale rounds positions differently, by 2^-28 of the size of the scene.
     ///
-    /// The new eye may be farther from the center of the scene than the old one, so there is
-    /// room to orbit. In each coordinate, the eye may be 3.5 times as far from the center as the
-    /// farthest of the bounded objects, the lights and the first eye.
+    /// The new eye may be farther from the center of the scene than the old eye, so there is
+    /// room to orbit. Let `d` be the greatest distance, in any coordinate, of a bounded object,
+    /// a light or the first eye from the center. In each coordinate, the new eye may be `3.5 d`
+    /// away from the center.
     ///
     /// ```
     /// use whitted::{Camera, Material, MaterialId, Object, Real, Scene, SceneBuffer, Vec3};
@@ -153,8 +155,8 @@ impl<'b> PreparedScene<'b> {
         Ok(())
     }
 
-    /// Sets the minimum weight of a secondary ray. A branch of the ray tree ends where the
-    /// weight falls below this minimum.
+    /// Sets the minimum weight of a secondary ray. The renderer does not trace secondary rays
+    /// that have a smaller weight.
     ///
     /// # Errors
     /// Returns an error if `min_weight` is outside the range from 0 to 1.
@@ -163,20 +165,20 @@ impl<'b> PreparedScene<'b> {
         Ok(())
     }
 
-    /// Returns the material at an index. Every index that an object has is valid, because
-    /// preparing and decoding check it.
+    /// Returns the material at an index. The material indices of all objects are valid, because
+    /// preparing and decoding check them.
     pub(crate) fn material(&self, index: u16) -> &'b Material {
         static BLACK: Material = Material::BLACK;
         self.materials.get(usize::from(index)).unwrap_or(&BLACK)
     }
 
-    /// Returns the object at an index. The index must come from a hit of a ray.
+    /// Returns the object at an index. `index` must be the index of an object that a ray hit.
     pub(crate) fn object(&self, index: u16) -> &'b Object {
         static NONE: Object = Object::NONE;
         self.objects.get(usize::from(index)).unwrap_or(&NONE)
     }
 
-    /// Returns the cones of all bounded objects as seen from a light.
+    /// Returns the cones that start at a light and enclose the bounded objects.
     pub(crate) fn light_cones(&self, light: usize) -> &'b [LightCone] {
         let count = self.bounded.len();
         let first = light * count;

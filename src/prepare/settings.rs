@@ -17,16 +17,15 @@ pub(crate) struct Settings {
     pub(crate) horizon: Color<Radiance>,
     /// Color of the background straight up.
     pub(crate) zenith: Color<Radiance>,
-    /// True if the colors of horizon and zenith differ. The field is derived, so compiled
-    /// scenes do not store it.
+    /// True if the colors of horizon and zenith differ. Compiled scenes do not store this
+    /// field, because decoding computes it.
     pub(crate) is_gradient: bool,
-    /// Exponent of the exposure. A traced radiance times 2^exposure is the radiance in the
-    /// scene.
+    /// The radiance in the authored scene is the traced radiance times `2^exposure`.
     pub(crate) exposure: u8,
     pub(crate) max_depth: u8,
     pub(crate) min_weight: Factor,
-    /// True if no material of the scene transmits light. The field is derived, so compiled
-    /// scenes do not store it.
+    /// True if no material of the scene transmits light. Compiled scenes do not store this
+    /// field, because decoding computes it.
     pub(crate) is_opaque: bool,
 }
 
@@ -48,7 +47,7 @@ impl Settings {
         }
     }
 
-    /// Returns true if every field is within the range that tracing relies on.
+    /// Returns true if every field is within its valid range. Tracing relies on these ranges.
     pub(crate) fn is_valid(&self) -> bool {
         let Normalization { center, exponent } = self.normalization;
         let Vec3 { x, y, z } = center.map(i64::unsigned_abs);

@@ -1,4 +1,4 @@
-//! Checks of an authored scene. These checks do not depend on the scale of the scene.
+//! Checks that validate an authored scene and do not depend on its scale.
 
 use super::settings::MAX_DEPTH;
 use crate::geometry;
@@ -9,7 +9,8 @@ use crate::scene::{
     SceneProblem, Texture,
 };
 
-/// Greatest channel of a light, an emission, the ambient light or the background.
+/// Greatest value of a color channel of a light, an emission, the ambient light or the
+/// background.
 const BRIGHTEST: Real = Real::lit("256");
 
 fn color(

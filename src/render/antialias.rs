@@ -2,12 +2,13 @@
 //!
 //! The renderer first traces one camera ray through the center of each pixel. A pixel is at an edge
 //! if its object, material, incident light or color differs from that of a horizontal or vertical
-//! neighbor. The renderer traces a fixed pattern of further rays through such a pixel. The color of
-//! the pixel is the mean of the center ray and the further rays.
+//! neighbor. Through each pixel at an edge, the renderer traces a fixed pattern of further rays.
+//! The color of such a pixel is the mean of the center ray and the further rays.
 //!
-//! Whitted sampled the corners of pixels and subdivided pixels recursively. This renderer samples
-//! the centers, so pixels that are not at an edge look as [`Renderer`](crate::Renderer) draws them.
-//! Because the pattern of rays is fixed, two lines of memory are enough.
+//! Whitted traced rays through the corners of pixels and subdivided pixels recursively. This
+//! renderer traces rays through the centers of pixels, as [`Renderer`](crate::Renderer) does.
+//! Pixels that are not at an edge therefore look the same with both renderers. Because the pattern
+//! of rays is fixed, memory for two lines is enough.
 
 mod error;
 mod fingerprint;
@@ -33,13 +34,14 @@ use pattern::{GRID, MAX_SIDE};
 
 /// Draws a scene with smooth edges, line by line.
 ///
-/// The renderer takes 0.9 KB. In addition, the caller provides one [`AaSample`] of 16 bytes for
-/// each pixel of two lines: 10 KB for a picture 320 pixels wide.
+/// The renderer takes 0.9 KB of memory. In addition, the caller provides one [`AaSample`] of 16
+/// bytes for each pixel of two lines. These samples take 10 KB for a picture that is 320 pixels
+/// wide.
 ///
-/// Lines can be requested in any order and more than once; the result is always the same. The cost
-/// depends on the order. If lines are requested from top to bottom, each line is traced once.
-/// Requesting the most recent line again costs nothing. A request for any other line costs as much
-/// as three lines.
+/// Lines can be requested in any order and more than once. The order changes the cost but not the
+/// pixels. If lines are requested from top to bottom, each line is traced once. Requesting the most
+/// recent line again costs nothing. A request for any other line costs as much as tracing three
+/// lines.
 ///
 /// Samples are clipped to 0..=1 before they are averaged. Otherwise a highlight brighter than white
 /// would dominate the mean, and its edge would stay jagged.
@@ -65,13 +67,14 @@ use pattern::{GRID, MAX_SIDE};
 pub struct AntialiasedRenderer<'s, 'm, O: Observer = ()> {
     tracer: ScanlineTracer<'s>,
     rays: CameraRays,
-    /// Camera rays of a picture that is [`GRID`] times as wide and as high.
+    /// Camera rays of a picture that has [`GRID`] times the width and [`GRID`] times the height.
+    /// The further rays are taken from these rays.
     fine_rays: CameraRays,
     samples: SampleCount,
-    /// Samples of the most recently traced even line and of the most recently traced odd line.
+    /// Samples of two lines: the last even line and the last odd line that have been traced.
     lines: [&'m mut [AaSample]; 2],
-    /// Number of the line that was finished most recently. The line below that line has been
-    /// traced, but its edge pixels have not been refined.
+    /// Number of the last finished line. The line below has been traced too, but its edge pixels
+    /// have not been refined.
     finished: Option<u32>,
     output: Output,
     fingerprint: Fingerprint,
@@ -79,8 +82,8 @@ pub struct AntialiasedRenderer<'s, 'm, O: Observer = ()> {
 }
 
 impl<'s, 'm> AntialiasedRenderer<'s, 'm> {
-    /// Returns a renderer for a picture of `size` pixels, with at most 8191 pixels per side. The
-    /// renderer uses the first `2 * size.width` samples of `memory`.
+    /// Returns a renderer for a picture of `size` pixels. Each side may have at most 8191 pixels.
+    /// The renderer uses the first `2 * size.width` samples of `memory`.
     ///
     /// # Errors
     /// An [`AntialiasError`] if `memory` is too short or the picture is too large.
@@ -150,8 +153,7 @@ impl<'s, 'm, O: Observer> AntialiasedRenderer<'s, 'm, O> {
         (0..).zip(line.iter().take(count).map(AaSample::color))
     }
 
-    /// Traces line `y` and refines its edge pixels. Does nothing if line `y` was the last line
-    /// to be finished.
+    /// Traces line `y` and refines its edge pixels. Does nothing if `y` is the last finished line.
     fn finish(&mut self, y: u32) {
         if y >= self.rays.height || self.finished == Some(y) {
             return;
@@ -196,7 +198,7 @@ impl<'s, 'm, O: Observer> AntialiasedRenderer<'s, 'm, O> {
         }
     }
 
-    /// Marks pixels that differ from their neighbor in the other of the two stored lines.
+    /// Compares the two stored lines and marks each pixel that differs from its vertical neighbor.
     fn compare_lines(&mut self) {
         let [even, odd] = &mut self.lines;
         for (a, b) in even.iter_mut().zip(odd.iter_mut()) {
@@ -222,8 +224,8 @@ impl<'s, 'm, O: Observer> AntialiasedRenderer<'s, 'm, O> {
             }
             let row = GRID * y + row;
             let all = self.fine_rays.columns();
-            // Further rays need no fingerprint. The fingerprint is still an observer, so that the
-            // tracer is compiled only once.
+            // The further rays do not need the fingerprint. It still observes them, so that the
+            // tracer is compiled for only one type of observer.
             let mut both = Pair(&mut self.fingerprint, &mut self.observer);
             let mut pixels = self.tracer.pixels(&self.fine_rays, row, all, &mut both);
             let edges = (0..).zip(&mut *line).filter(|(_, it)| it.is_edge());
@@ -243,7 +245,7 @@ impl<'s, 'm, O: Observer> AntialiasedRenderer<'s, 'm, O> {
 mod tests {
     use super::*;
 
-    /// Checks the size on a 64-bit host. On a 32-bit core a renderer is smaller.
+    /// Checks the size of a renderer on a 64-bit host. On a 32-bit core, a renderer is smaller.
     #[test]
     fn has_documented_size() {
         assert_eq!(size_of::<AaSample>(), 16);

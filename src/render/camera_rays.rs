@@ -1,8 +1,9 @@
 //! Camera rays of a pinhole camera.
 //!
-//! Let f, r and u be the camera's forward, right and up vectors. Let g be half the size of a pixel
-//! at distance 1: `g = tan(fovy / 2) / height`. The ray through the center of pixel (x, y) has the
-//! direction `f + X r + Y u`, where `X = (2x + 1 - width) g` and `Y = (height - 2y - 1) g`.
+//! Let `f`, `r` and `u` be the camera's forward, right and up vectors. At distance 1 from the eye,
+//! half the size of a pixel is `g = tan(fovy / 2) / height`. The ray through the center of pixel
+//! (x, y) has the direction `f + X r + Y u`, where `X = (2x + 1 - width) g` and `Y = (height - 2y -
+//! 1) g`.
 
 use crate::math::reciprocal_outlined;
 use crate::math::{Length, Product, Unit, Vec3, quotient, square_root, wide};
@@ -15,13 +16,13 @@ pub(crate) const MAX_SIDE: u32 = u16::MAX as u32;
 
 /// Generator of the camera rays of a picture.
 ///
-/// Directions have Q62 and are scaled so that the longest of them has length 7/8. The near range of
-/// positions extends from -3.5 to 3.5 in each coordinate. Eight times the longest direction spans
-/// this range.
+/// Directions are in Q62. They are scaled so that the longest direction has length 7/8. Eight times
+/// this length is 7, which is the width of the near range of positions. The near range extends from
+/// -3.5 to 3.5 in each coordinate.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct CameraRays {
     pub(super) eye: Vec3<Length>,
-    /// Direction `f + X r` for the first column, before `Y u` is added for the line.
+    /// The sum `f + X r` for the first column. Each line adds its own `Y u` to this sum.
     left: Vec3<i64>,
     /// Vector `g r`: half a pixel to the right.
     right: Vec3<i64>,
@@ -34,8 +35,8 @@ pub(crate) struct CameraRays {
 }
 
 impl CameraRays {
-    /// Returns the camera rays of a picture of `width` by `height` pixels. Both are clamped to
-    /// [`MAX_SIDE`].
+    /// Returns the camera rays of a picture of `width` by `height` pixels. The width and the height
+    /// are clamped to [`MAX_SIDE`].
     ///
     /// The function is not inlined, because it runs only once per picture.
     #[inline(never)]
@@ -46,7 +47,8 @@ impl CameraRays {
         let shift = height.max(1).leading_zeros();
         let g = wide(camera.tangent, reciprocal_outlined(height.max(1) << shift)) >> (33 - shift);
         let scale = direction_scale(g, [width, height]);
-        // The product of g and `scale`, then the same product as a 32-bit mantissa and a shift.
+        // Computes the product of `g` and `scale`, and then converts this product to a 32-bit
+        // mantissa and a shift.
         let scaled_g = (wide((g >> 32) as u32, scale) << 1) + (wide(g as u32, scale) >> 31);
         let g_shift = scaled_g.max(1).leading_zeros();
         let g_mantissa = ((scaled_g << g_shift) >> 32) as u32;
@@ -88,8 +90,8 @@ impl CameraRays {
         )
     }
 
-    /// Returns the elevation of line `y`, `(height - 2y - 1) g`, in Q26. A line below the picture
-    /// gets the elevation of the last line.
+    /// Returns the elevation `(height - 2y - 1) g` of line `y`, in Q26. A line below the picture
+    /// gets the elevation of the last line in the picture.
     pub(super) fn elevation(&self, y: u32) -> i32 {
         let y = y.min(self.height.saturating_sub(1));
         let up = i64::from(self.height) - 2 * i64::from(y) - 1;
@@ -101,12 +103,12 @@ impl CameraRays {
 /// Returns the factor that scales the longest direction of a picture to length 7/8. The factor is a
 /// `U1F31` below 1.
 ///
-/// `g` is half the size of a pixel at distance 1. The longest direction, through a corner of the
-/// picture, is at most `sqrt(1 + (width g)² + (height g)²)` long.
+/// `g` is half the size of a pixel at distance 1 from the eye. The longest direction goes through a
+/// corner of the picture. Its length is at most `sqrt(1 + (width g)² + (height g)²)`.
 fn direction_scale(g: u64, [width, height]: [u32; 2]) -> u32 {
     let sides = [width, height].map(|side| ((g >> 30) + 1) * u64::from(side));
-    // Lengths have Q28 and their squares Q56. If the squares would overflow, all lengths are first
-    // shifted down by `coarser` bits.
+    // Lengths are in Q28 and squares of lengths in Q56. If the squares would overflow, all lengths
+    // are first shifted down by `coarser` bits.
     let coarser = (64 - (sides[0] | sides[1]).leading_zeros()).saturating_sub(30);
     let square = |side| square_above(side, coarser);
     let longest_squared = square(1 << 28) + square(sides[0]) + square(sides[1]);
@@ -166,8 +168,9 @@ mod tests {
                     let length = length(&rays, x, y);
                     assert!(length <= 0.875, "{tangent} {width}x{height} {x} {y}");
                 }
-                // The ray goes through the center of the corner pixel, half a pixel away from the
-                // corner of the picture. Its direction is therefore slightly shorter than 7/8.
+                // The ray through the center of the corner pixel is half a pixel away from the
+                // corner of the picture. The direction of this ray is therefore slightly shorter
+                // than 7/8.
                 if width.min(height) > 200 {
                     let length = length(&rays, 0, 0);
                     assert!(length > 0.86, "{tangent} {width}x{height}");

@@ -1,4 +1,4 @@
-//! Output of only those parts of a line that changed since the previous frame.
+//! Sends only those parts of a line to the display that changed since the previous frame.
 
 use core::ops::Range;
 
@@ -12,10 +12,10 @@ use embedded_graphics_core::primitives::Rectangle;
 /// `DirtyLines` suits displays on a slow bus. It also suits e-paper, which needs no refresh if
 /// nothing was sent.
 ///
-/// The caller provides memory for the hashes: 4 bytes for each segment of 32 pixels. A picture of
-/// 320x240 pixels takes 9.6 KB; a framebuffer of `Rgb565` would take 154 KB. One change in 2^32
-/// leaves the hash of a segment unchanged. Such a change is not sent until the segment changes
-/// again.
+/// `DirtyLines` stores a hash of 4 bytes for each segment of 32 pixels. The caller provides the
+/// memory. The hashes for a picture of 320x240 pixels take 9.6 KB, while a framebuffer of `Rgb565`
+/// would take 154 KB. One change of a segment in 2^32 does not change the hash. Such a change is
+/// not sent until the segment changes again.
 ///
 /// ```
 /// # use embedded_graphics::mock_display::MockDisplay;
@@ -46,7 +46,8 @@ use embedded_graphics_core::primitives::Rectangle;
 /// ```
 #[derive(Debug)]
 pub struct DirtyLines<'m> {
-    /// Hashes of the segments, line by line. A hash is 0 if it is not known what the display shows.
+    /// Hashes of the segments, line by line. The hash of a segment is 0 if it is not known what the
+    /// display shows there.
     hashes: &'m mut [u32],
     width: u32,
 }
@@ -113,8 +114,8 @@ impl<'m> DirtyLines<'m> {
         Ok(sent)
     }
 
-    /// Sends adjacent segments by one call of `fill_contiguous`. If the call fails, sets their
-    /// hashes to 0, so that the segments will be sent again.
+    /// Sends adjacent segments by one call of `fill_contiguous`. If the call fails, the hashes of
+    /// the segments are set to 0, so that the segments will be sent again.
     fn send_run<D>(
         &mut self,
         y: u32,
@@ -139,8 +140,8 @@ impl<'m> DirtyLines<'m> {
         outcome.map(|()| size.width)
     }
 
-    /// Returns the hashes of some segments of line `y`. Segments for which there is no memory are
-    /// left out.
+    /// Returns the hashes of the given segments of line `y`. Segments that have no hash, because
+    /// the memory is too short, are left out.
     fn hashes_mut(&mut self, y: u32, segments: Range<usize>) -> &mut [u32] {
         let line = (self.width.div_ceil(Self::SEGMENT) as usize).saturating_mul(y as usize);
         let line = self.hashes.get_mut(line..).unwrap_or_default();

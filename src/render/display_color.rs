@@ -12,17 +12,17 @@ use crate::render::Output;
 /// Color type of a display.
 ///
 /// The RGB, BGR, gray and binary colors of embedded-graphics implement this trait. Their channels
-/// are clipped to 0..=1. Gray is the luminance of ITU-R BT.709. A binary pixel is on if its
-/// dithered luminance rounds to 1. `Color<u16>` also implements this trait; it is always linear and
-/// ignores the [`Output`].
+/// are clipped to 0..=1. Gray colors show the luminance that ITU-R BT.709 defines. A binary pixel
+/// is on if its dithered luminance rounds to 1. `Color<u16>` also implements this trait, but it is
+/// always linear and ignores the [`Output`].
 pub trait DisplayColor: Copy {
     /// Converts a linear color to a display color. `at` is the position of the pixel on the
-    /// display, which selects the dithering threshold.
+    /// display. The position selects the dithering threshold.
     fn from_radiance(color: Color<Radiance>, at: Point, output: Output) -> Self;
 }
 
-/// Returns the luminance of a color by ITU-R BT.709, 0.2126 R + 0.7152 G + 0.0722 B. The luminance
-/// is not clipped.
+/// Returns the luminance of a color as ITU-R BT.709 defines it: 0.2126 R + 0.7152 G + 0.0722 B. The
+/// luminance is not clipped.
 fn luminance(color: Color<Radiance>) -> Radiance {
     // The weights of the three channels have Q16 and add up to 1.
     let weighted = |value: Radiance, weight: u64| u64::from(value.to_bits()) * weight;
@@ -41,12 +41,13 @@ impl DisplayColor for Color<u16> {
     }
 }
 
-/// Returns a function that converts the radiance of a channel to a display level. The second
-/// argument of that function is the greatest level. `at` is the position of the pixel.
+/// Returns a function that converts the radiance of a color channel to a display level. The
+/// function takes the radiance and the greatest level of the channel. `at` is the position of the
+/// pixel on the display.
 fn levels(at: Point, output: Output, is_coarse: bool) -> impl Fn(Radiance, u8) -> u8 {
     let threshold = output.dither.threshold(at.x, at.y, is_coarse);
     move |light, max| {
-        // The product is the level in Q16. Adding the threshold rounds or dithers it.
+        // The product is the level in Q16. Adding the threshold rounds or dithers the level.
         ((output.transfer.encode(light) * u32::from(max) + threshold) >> 16) as u8
     }
 }

@@ -40,8 +40,8 @@ where
     }))
 }
 
-/// Draws a row of blocks. Each block is drawn by one call of `fill_contiguous`, after which
-/// `progress` advances.
+/// Draws a row of blocks. Each block is drawn by one call of `fill_contiguous`. After each
+/// block, `progress` advances by one.
 ///
 /// Each pixel of a block is dithered at its own position, so the pixels of a block can have
 /// different colors.

@@ -1,10 +1,11 @@
-//! Progress of drawing a picture, which allows drawing to be interrupted and resumed.
+//! The progress of drawing a picture. A program can interrupt drawing and resume it later.
 //!
-//! A picture is drawn in passes. A pass draws rows of blocks. A block is a square that has the
-//! color of its top left pixel. The first pass covers the picture with large blocks. Each later
-//! pass halves the side of the blocks. Of every four blocks, it traces three, because the top left
-//! pixel of the fourth has already been traced. In scanline order, the first blocks are single
-//! pixels, so there is only one pass.
+//! A picture is drawn in passes. Each pass draws rows of square blocks. A block has the color of
+//! its top left pixel, the only pixel of the block that is traced. The first pass covers the
+//! picture with large blocks. In each later pass, the blocks are half as wide as before. A later
+//! pass traces only three of every four blocks, because the top left pixel of the fourth block has
+//! already been traced. In scanline order, the first blocks are single pixels, so there is only one
+//! pass.
 
 use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::primitives::Rectangle;
@@ -13,14 +14,14 @@ use crate::render::camera_rays::MAX_SIDE;
 use crate::render::column_range::ColumnRange;
 use crate::render::row_span::RowSpan;
 
-/// Side, in pixels, of the blocks of the first pass in progressive order.
+/// Side length, in pixels, of the blocks of the first pass in progressive order.
 const COARSEST: u8 = 16;
 
 /// Progress of drawing a picture, or an area of it, by [`Renderer::step`](crate::Renderer::step).
 ///
-/// A `RenderProgress` is 14 bytes of plain data without references to the renderer or the display.
-/// It can be stored, copied or dropped between steps. Drawing with a copy resumes from the place
-/// where the copy was made. All steps must use the same scene, picture size and display.
+/// A `RenderProgress` is 14 bytes of plain data. It does not refer to the renderer or the display,
+/// so it can be stored, copied or dropped between steps. A copy resumes drawing at the place where
+/// the copy was made. All steps must use the same scene, picture size and display.
 ///
 /// This microcontroller loop feeds a watchdog and reads a button between steps:
 ///
@@ -66,7 +67,7 @@ pub struct RenderProgress {
     y: u16,
     /// Side of the blocks of the first pass: a power of two.
     coarsest: u8,
-    /// Side of the blocks of the current pass; 0 if the picture is complete.
+    /// Side of the blocks of the current pass, or 0 if the area is complete.
     block: u8,
 }
 
@@ -75,13 +76,13 @@ pub struct RenderProgress {
 /// A step always ends when the picture is complete.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Step {
-    /// Draws the rest of the current line of pixels or row of blocks.
+    /// Draws the rest of the current row of blocks. In scanline order, this row is a line of
+    /// pixels.
     Line,
-    /// Draws the rest of the current pass. Scanline order has a single pass.
+    /// Draws the rest of the current pass. In scanline order, there is only one pass.
     Pass,
-    /// Draws until the given number of rays, including shadow rays, has been traced, and then
-    /// finishes the current pixel. A pixel takes at most 4096 rays plus their shadow rays.
-    /// `Rays(0)` does nothing.
+    /// Traces the given number of rays, including shadow rays, and then finishes the current pixel.
+    /// A pixel takes at most 4096 rays plus their shadow rays. `Rays(0)` does nothing.
     Rays(u32),
 }
 
@@ -95,9 +96,10 @@ impl RenderProgress {
 
     /// Starts to draw an area in five passes with blocks of 16, 8, 4, 2 and 1 pixels a side.
     ///
-    /// The first pass covers the whole area but traces only 1/256 of its pixels. All passes
-    /// together trace each pixel once, but send four times as many pixels to the display as
-    /// scanline order does. The area is clipped to the picture.
+    /// The first pass covers the whole area but traces only 1/256 of its pixels. Together, the five
+    /// passes trace each pixel once. They send four times as many pixels to the display as scanline
+    /// order does, because they draw small blocks over large ones. The area is clipped to the
+    /// picture.
     pub fn progressive(area: Rectangle) -> Self {
         Self::new(area, COARSEST)
     }
@@ -160,8 +162,8 @@ impl RenderProgress {
         self.settle(size);
     }
 
-    /// Moves to the next row if the current row is complete, and to the next pass if the current
-    /// pass is complete.
+    /// If the current row is complete, moves to the next row. If the current pass is complete,
+    /// moves to the next pass.
     fn settle(&mut self, size: Size) {
         let (right, bottom) = self.ends(size);
         if self.left >= right {
@@ -176,20 +178,22 @@ impl RenderProgress {
             } else {
                 return;
             }
-            // In rows that are not new, an earlier pass has traced the pixel of the first block.
+            // If an earlier pass has traced pixels of this row, it has traced the pixel of the
+            // first block.
             let traced = if self.is_new_row() { 0 } else { self.block };
             self.x = self.left.saturating_add(traced.into());
         }
     }
 
-    /// Returns the right and bottom ends of the area, clipped to the picture.
+    /// Returns the column after the last column of the area, and the line below its last line. The
+    /// area is clipped to the picture.
     fn ends(&self, size: Size) -> (u16, u16) {
         let clip = |end: u16, side: u32| u32::from(end).min(side) as u16;
         (clip(self.right, size.width), clip(self.bottom, size.height))
     }
 
-    /// Returns true if no earlier pass has traced pixels of the current row. In the first pass, all
-    /// rows are new; in later passes, every other row is new.
+    /// Returns true if no earlier pass has traced pixels of the current row. In the first pass,
+    /// this is true of all rows. In later passes, it is true of every other row.
     fn is_new_row(&self) -> bool {
         self.block == self.coarsest || (self.y - self.top) & u16::from(self.block) != 0
     }

@@ -21,9 +21,9 @@ use crate::render::{DisplayColor, Output};
 /// into steps and can draw from coarse to fine. The aspect ratio of the camera is that of the
 /// picture.
 ///
-/// A renderer takes 0.7 KB, most of it for the list of objects that may be visible in a line.
-/// Drawing takes about 1.5 KB of stack. A material that transmits light adds 0.4 KB, more than 8
-/// generations of rays add 1.4 KB, and a sphereflake adds 0.9 KB.
+/// A renderer takes 0.7 KB of memory, mostly for the list of objects that may be visible in a line.
+/// Drawing takes about 1.5 KB of stack. A scene takes 0.4 KB more if a material transmits light,
+/// 1.4 KB more if it has more than 8 generations of rays, and 0.9 KB more if it has a sphereflake.
 ///
 /// ```
 /// use embedded_graphics::mock_display::MockDisplay;
@@ -68,8 +68,8 @@ impl<'s, O: Observer> Renderer<'s, O> {
 
     scanline_methods!();
 
-    /// Returns the linear color of pixel (x, y), or black if the pixel is outside the picture. The
-    /// color equals the color that [`line`](Self::line) returns for the pixel.
+    /// Returns the linear color of pixel (x, y), or black if the pixel is outside the picture.
+    /// [`line`](Self::line) returns the same color for this pixel.
     pub fn pixel(&mut self, x: u32, y: u32) -> Color<Radiance> {
         self.tracer.pixel(&self.rays, x, y, &mut self.observer)
     }
@@ -99,7 +99,7 @@ impl<'s, O: Observer> Renderer<'s, O> {
 mod tests {
     use super::*;
 
-    /// Checks the size on a 64-bit host. On a 32-bit core a renderer is smaller.
+    /// Checks the size of a renderer on a 64-bit host. On a 32-bit core, a renderer is smaller.
     #[test]
     fn has_documented_size() {
         let size = size_of::<Renderer<'_>>();

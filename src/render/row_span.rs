@@ -3,7 +3,7 @@ use embedded_graphics_core::primitives::Rectangle;
 
 use crate::render::column_range::ColumnRange;
 
-/// The part of a row of blocks that remains to be drawn, clipped to the picture.
+/// The part of a row of blocks that has not been drawn yet. It is clipped to the picture.
 pub(crate) struct RowSpan {
     pub(crate) y: u32,
     /// Columns of the pixels to trace.
@@ -25,7 +25,7 @@ impl RowSpan {
         }
     }
 
-    /// Returns true if the columns have no gaps, so that all pixels of the row are traced.
+    /// Returns true if the columns have no gaps. All pixels of the row are then traced.
     pub(crate) fn is_contiguous(&self) -> bool {
         self.columns.spacing == 0
     }

@@ -1,4 +1,4 @@
-//! Tracing of scanlines by an iterator, which traces each pixel only when it is requested.
+//! Traces scanlines by an iterator. Each pixel is traced only when it is requested.
 
 use crate::geometry::PrimitivePart;
 use crate::math::{Color, Radiance};

@@ -1,8 +1,8 @@
 //! Culling of objects per scanline.
 //!
-//! The camera rays of a scanline lie in a plane through the eye. If the plane cuts the bounding
-//! sphere of an object, the section is a circle. The two tangents from the eye to the circle bound
-//! the columns in which the object can be visible.
+//! The camera rays of a scanline lie in a plane through the eye. This plane may cut the bounding
+//! sphere of an object in a circle. The two tangents from the eye to this circle bound the columns
+//! in which the object can be visible.
 
 use fixed::types::I8F56;
 use heapless::Vec;
@@ -16,20 +16,20 @@ use crate::trace::{Candidates, MAX_CANDIDATES};
 
 /// Finder of the objects that the rays of a scanline may hit.
 ///
-/// The culler stores a span of columns for each object that may be visible in the scanline. If
-/// there are more than [`MAX_CANDIDATES`] such objects, the rays of the scanline are tested against
-/// all objects of the scene.
+/// The culler stores a span of columns for each object that may be visible in the scanline. If more
+/// than [`MAX_CANDIDATES`] objects may be visible, the rays of the scanline are tested against all
+/// objects of the scene.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ScanlineCuller {
     spans: Vec<Span, MAX_CANDIDATES>,
-    /// All spans from this index to the end of the list belong to planes.
+    /// Index into `spans`. All spans from this index on belong to planes.
     first_plane_span: u8,
-    /// All spans from this index to the end of the list belong to planes that are parallel to the
+    /// Index into `spans`. All spans from this index on belong to planes that are parallel to the
     /// scanline.
     first_parallel_span: u8,
     /// Objects whose spans contain the current column.
     active: Candidates,
-    /// Next column at which a span begins or ends, so that `active` must be updated.
+    /// Next column at which a span begins or ends. At this column, `active` must be updated.
     next_event: u32,
 }
 
@@ -44,8 +44,9 @@ struct Span {
 impl ScanlineCuller {
     /// Computes the spans of line `y`.
     ///
-    /// Bounded objects come first, in the order in which secondary rays test them. If surfaces of
-    /// two objects coincide, all rays then agree on the object that they hit.
+    /// Bounded objects come first in the list of spans, in the order in which secondary rays test
+    /// them. If the surfaces of two objects coincide, camera rays and secondary rays therefore hit
+    /// the same one of the two objects.
     pub(crate) fn set_row(&mut self, scene: &PreparedScene<'_>, rays: &CameraRays, y: u32) {
         self.spans.clear();
         self.next_event = 0;
@@ -82,8 +83,8 @@ impl ScanlineCuller {
         from >= to || self.spans.push(Span { object, from, to }).is_ok()
     }
 
-    /// Returns the objects that the ray of column `x` may hit. `x` must not be less than in the
-    /// previous call for the same scanline.
+    /// Returns the objects that the ray of column `x` may hit. Within a scanline, `x` must not
+    /// decrease from one call to the next.
     pub(crate) fn at_column(&mut self, x: u32) -> &mut Candidates {
         if x >= self.next_event {
             self.advance(x);
@@ -93,7 +94,8 @@ impl ScanlineCuller {
 
     /// Updates `active` and `next_event` for column `x`.
     ///
-    /// The function is not inlined, because it runs only at columns where a span begins or ends.
+    /// This function is rarely called: only at columns where a span begins or ends. It is therefore
+    /// not inlined.
     #[inline(never)]
     fn advance(&mut self, x: u32) {
         let active = &mut self.active;
@@ -120,13 +122,13 @@ impl ScanlineCuller {
 
 /// Returns the columns in which a bounding sphere may be visible, or `None` if there are none.
 ///
-/// Let r be the radius of the sphere. Let its center be u to the right of the eye, e in front of
-/// the eye, and a away from the plane of the scanline's rays. The plane cuts the sphere in a circle
-/// of radius `P = sqrt((r - a) (r + a))`. Let `L² = u² + e² + a² - r²`. The tangents from the eye
-/// to the circle have the slopes `(u e ± P L) / (e² - P²)`. Cancellation can lose precision only in
-/// the difference of e and P.
+/// Let `r` be the radius of the sphere. The center of the sphere is at distance `u` to the right of
+/// the eye and at distance `e` in front of the eye. Its distance from the plane of the scanline's
+/// rays is `a`. This plane cuts the sphere in a circle of radius `P = sqrt((r - a) (r + a))`. Let
+/// `L² = u² + e² + a² - r²`. The tangents from the eye to the circle have the slopes `(u e ± P L) /
+/// (e² - P²)`. Cancellation can lose precision only in the difference of `e` and `P`.
 fn visible_columns(bound: &BoundingSphere, plane: &ScanlinePlane) -> Option<[u16; 2]> {
-    /// Upper bound of the sum of all rounding errors, added to the radius.
+    /// Upper bound of the sum of all rounding errors. It is added to the radius.
     const MARGIN: Length = Length::lit("0.00001");
     let radius: Length = bound.radius + (bound.radius >> 10) + MARGIN;
     let center = bound.center - plane.eye;
@@ -151,7 +153,8 @@ fn visible_columns(bound: &BoundingSphere, plane: &ScanlinePlane) -> Option<[u16
     let half_width = circle.product(tangent);
     let divisor = (forward - circle).product(forward.saturating_add(circle));
     let end = |n: I8F56| plane.column(n.to_bits(), divisor.to_bits() as u64);
-    // The range is widened by one column on each side. `to` is the column after the last one.
+    // The range is widened by one column on each side. `to` is the column after the last column of
+    // the range.
     let from = end(middle - half_width).saturating_sub(1);
     let to = end(middle + half_width).saturating_add(2);
     Some([from.min(plane.width), to.min(plane.width)])

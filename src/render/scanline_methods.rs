@@ -16,8 +16,8 @@ macro_rules! scanline_methods {
             self.output
         }
 
-        /// Sets the conversion of linear colors to display colors. Lines that have already been
-        /// drawn do not change.
+        /// Sets the conversion of linear colors to display colors. Lines that are already drawn
+        /// keep their colors.
         pub fn set_output(&mut self, output: $crate::render::Output) {
             self.output = output;
         }
@@ -33,8 +33,8 @@ macro_rules! scanline_methods {
             self.pixels(y).map(|(_, color)| color)
         }
 
-        /// Renders line `y` into a slice, for example to send it by DMA while the next line is
-        /// rendered.
+        /// Renders line `y` into a slice. A program can, for example, send the slice by DMA while
+        /// it renders the next line.
         ///
         /// Pixels of the slice beyond the width of the picture are not changed.
         pub fn render_line<P: $crate::render::DisplayColor>(&mut self, y: u32, line: &mut [P]) {

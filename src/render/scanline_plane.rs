@@ -10,9 +10,9 @@ use crate::render::camera_rays::CameraRays;
 
 /// The plane that contains the eye and all camera rays of a scanline.
 ///
-/// In the formulas of the fields, f, r and u are the camera's forward, right and up vectors. g is
-/// half the size of a pixel at distance 1, and `Y = (height - 2y - 1) g` is the elevation of line
-/// y.
+/// The formulas of the fields use these names: `f` and `u` are the camera's forward and up vectors,
+/// and `g` is half the size of a pixel at distance 1. `Y = (height - 2y - 1) g` is the elevation of
+/// line `y`.
 pub(crate) struct ScanlinePlane {
     pub(crate) eye: Vec3<Length>,
     /// Unit vector through the middle of the line: `(f + Y u) / sqrt(1 + Y²)`.
@@ -20,10 +20,10 @@ pub(crate) struct ScanlinePlane {
     /// Unit normal of the plane: `(u - Y f) / sqrt(1 + Y²)`.
     pub(crate) normal: Vec3<Unit>,
     pub(crate) right: Vec3<Unit>,
-    /// Directions of the first and the last ray. They do not have unit length.
+    /// Directions of the first and the last ray of the scanline. They do not have unit length.
     ends: [Vec3<Unit>; 2],
-    /// Number of half pixels by which the column changes per unit of slope: `sqrt(1 + Y²) / g`. The
-    /// slope of a ray is its component to the right divided by its component forward.
+    /// Factor that converts the slope of a ray to a column, in half pixels: `sqrt(1 + Y²) / g`. The
+    /// slope of a ray is its component along `right` divided by its component along `forward`.
     scale: SoftFloat,
     pub(crate) width: u16,
 }
@@ -52,7 +52,7 @@ impl ScanlinePlane {
         }
     }
 
-    /// Returns true if a ray of the scanline may come closer to `plane`, so that it may hit the
+    /// Returns true if a ray of the scanline may approach `plane`. Only such a ray can hit the
     /// plane.
     pub(crate) fn may_intersect(&self, plane: &Plane) -> bool {
         /// Upper bound of the rounding error of `cosine`, in Q60.
@@ -65,11 +65,11 @@ impl ScanlinePlane {
         self.ends.iter().any(approaches)
     }
 
-    /// Returns true if the scanline is parallel to `plane`. All rays of the scanline then meet the
-    /// plane at exactly the same ray parameter t.
+    /// Returns true if the scanline is parallel to `plane`. All rays `eye + t direction` of the
+    /// scanline then meet the plane at exactly the same `t`.
     pub(crate) fn is_parallel(&self, plane: &Plane) -> bool {
-        // If a component of `right` is zero, that component of the ray directions is exactly the
-        // same for all rays of the scanline.
+        // If a component of `right` is zero, all ray directions of the scanline have exactly the
+        // same value in that component.
         let contributes_nothing = |n, right| n == Unit::ZERO || right == Unit::ZERO;
         plane
             .normal
@@ -78,19 +78,20 @@ impl ScanlinePlane {
     }
 
     /// Returns the column of the ray with slope `n / d`, rounded down and clamped to 0..=65535. The
-    /// slope is the ray's component to the right divided by its component forward.
+    /// slope of a ray is its component along `right` divided by its component along `forward`.
     ///
-    /// The function is not inlined, because it runs only twice per bounding sphere and scanline.
+    /// This function is not inlined, because it runs only twice per bounding sphere and scanline.
     #[inline(never)]
     pub(crate) fn column(&self, n: i64, d: u64) -> u16 {
         if n == 0 {
             return self.width / 2;
         }
         let ratio = quotient(n.unsigned_abs(), d);
-        // `pixels` is the column in half pixels from the middle of the line. `ratio` is 2^30 n/d.
-        // `scale` is 2^-4 times its true value, because it is 2^30 times a quotient of Q24 by Q58.
-        // Their product is therefore 2^26 times the result. Taking its upper word divides it by
-        // 2^32, and adding 6 to the exponent multiplies it by 2^6.
+        // `pixels` is the column, counted in half pixels from the middle of the line. It is
+        // computed from the product of `ratio` and `scale`. `ratio` is 2^30 n/d. `scale` is 2^30
+        // times a quotient of a Q24 number by a Q58 number, so it is 2^-4 times its true value. The
+        // product is therefore 2^26 times the result. Taking the upper word of the product divides
+        // it by 2^32. Adding 6 to the exponent multiplies it by 2^6.
         let pixels = SoftFloat {
             mantissa: (wide(ratio.mantissa, self.scale.mantissa) >> 32) as u32,
             exponent: ratio.exponent + self.scale.exponent + 6,

@@ -3,12 +3,13 @@ use crate::render::column_range::ColumnRange;
 
 /// Iterator over the directions of a scanline's camera rays.
 ///
-/// The directions are at most 7/8 long and are not normalized. The iterator adds a constant vector
-/// in Q62 to get from one direction to the next. The rounding errors of these additions stay far
-/// below 2^-30, the resolution of the directions that it returns.
+/// The directions are not normalized. Their length is at most 7/8. Each direction is the previous
+/// direction plus a constant vector in Q62. The rounding errors of these additions stay far below
+/// 2^-30, the resolution of the returned directions.
 #[derive(Clone, Debug)]
 pub(crate) struct ScanlineRays {
-    /// Next direction in Q62, plus 2^-31, so that truncation to Q30 rounds to nearest.
+    /// Next direction in Q62. Each component is increased by 2^-31, half the resolution of Q30.
+    /// Truncating a component to Q30 therefore rounds it to nearest.
     direction: Vec3<i64>,
     step: Vec3<i64>,
     remaining: u32,
@@ -25,8 +26,8 @@ impl ScanlineRays {
         }
     }
 
-    /// Returns the next direction and the direction `count` rays after it, even if the iterator
-    /// ends before.
+    /// Returns the next direction and the direction `count` rays after it. The second direction may
+    /// lie beyond the end of the iterator.
     pub(super) fn ends(&self, count: i32) -> [Vec3<Unit>; 2] {
         [self.direction, offset(self.direction, &self.step, count)].map(to_unit)
     }
@@ -38,7 +39,8 @@ impl ScanlineRays {
         self.remaining = self.remaining.saturating_sub(count);
     }
 
-    /// Returns only the rays of the given columns. `self` must contain all rays of the scanline.
+    /// Returns an iterator over the rays of the given columns. `self` must contain all rays of the
+    /// scanline.
     pub(crate) fn through(mut self, columns: ColumnRange) -> Self {
         let ColumnRange { from, to, spacing } = columns;
         let to = to.min(self.remaining);
@@ -71,7 +73,7 @@ impl Iterator for ScanlineRays {
 
 /// Returns `direction + count * step`. The sum wraps around on overflow.
 ///
-/// The function is not inlined, because it runs only a few times per scanline.
+/// This function is not inlined, because it runs only a few times per scanline.
 #[inline(never)]
 pub(super) fn offset(direction: Vec3<i64>, step: &Vec3<i64>, count: i32) -> Vec3<i64> {
     direction.zip(*step, |d, s| d.wrapping_add(s.wrapping_mul(count.into())))

@@ -1,5 +1,5 @@
-//! Tests that culling does not change pictures: each pixel of a culled scanline is compared with a
-//! ray that is tested against all objects.
+//! Tests that culling does not change pictures. The tests compare each pixel of a culled scanline
+//! with a ray that is tested against all objects.
 #![allow(clippy::unwrap_used)]
 extern crate std;
 
@@ -29,7 +29,8 @@ fn point(rng: &mut Rng, max: f64) -> Vec3<Real> {
     Vec3::new(c(), c(), c())
 }
 
-/// Returns a random shape. Most shapes are spheres; they have all sizes, and some contain the eye.
+/// Returns a random shape. Most shapes are spheres. The spheres vary widely in size, and some
+/// contain the eye.
 fn shape(rng: &mut Rng) -> Shape {
     let center = point(rng, 2.0);
     let radius = Real::from_num(10_f64.powf(-2.3 + 2.5 * rng.f64()));
@@ -62,7 +63,7 @@ fn shape(rng: &mut Rng) -> Shape {
     }
 }
 
-/// Returns materials that emit different colors, so that the color of a pixel identifies the
+/// Returns materials that emit different colors. The color of a pixel therefore identifies the
 /// material of the object.
 fn materials(rng: &mut Rng) -> Vec<Material> {
     let mut glow = || real(rng, 0.1, 1.0);
@@ -74,8 +75,8 @@ fn materials(rng: &mut Rng) -> Vec<Material> {
         .collect()
 }
 
-/// Draws a scene with culling and compares each pixel with a ray that is tested against all
-/// objects. Returns the number of pixels that show an object.
+/// Draws a scene with culling. Compares each pixel with a ray that is tested against all objects.
+/// Returns the number of pixels that show an object.
 fn compare_culled(scene: &Scene<'_>, [width, height]: [u32; 2]) -> usize {
     let mut buffer = Box::new(SceneBuffer::<96, 1, 8>::new());
     let prepared = buffer.prepare(scene).unwrap();
@@ -133,8 +134,8 @@ fn culling_does_not_change_pixels_of_random_scenes() {
     assert!(seen > pixels / 4 && (SCENES == 1 || seen < pixels * 9 / 10));
 }
 
-/// The planes of this test are clipped at random. Some reach beyond the near range (coordinates
-/// within ±3.5), and some end in view.
+/// The planes of this test have random clip boxes. Some planes reach beyond the near range
+/// (coordinates within ±3.5). Other planes have a visible edge.
 #[test]
 fn culling_does_not_change_pixels_of_level_planes() {
     let mut rng = Rng::with_seed(9);
@@ -177,8 +178,8 @@ fn culling_does_not_change_pixels_of_level_planes() {
 }
 
 /// A scanline has room for the spans of `MAX_CANDIDATES` objects. The test draws rows of
-/// `MAX_CANDIDATES - 1`, `MAX_CANDIDATES` and `MAX_CANDIDATES + 1` spheres, each with and without a
-/// plane behind the spheres.
+/// `MAX_CANDIDATES - 1`, `MAX_CANDIDATES` and `MAX_CANDIDATES + 1` spheres. It draws each row once
+/// with a plane behind the spheres and once without.
 #[test]
 fn scanline_with_too_many_objects_shows_all_objects() {
     let mut rng = Rng::with_seed(8);

@@ -4,8 +4,8 @@ use crate::scene::{Camera, CapacityError, Light, Material, MaterialId, Object, S
 
 /// Builds a scene at run time, without allocation.
 ///
-/// The builder holds up to `OBJECTS` objects, `LIGHTS` lights and `MATERIALS` materials:
-/// 144 bytes per object, 72 per light and 168 per material.
+/// The builder has room for `OBJECTS` objects, `LIGHTS` lights and `MATERIALS` materials. It takes
+/// 144 bytes per object, 72 bytes per light and 168 bytes per material.
 ///
 /// ```
 /// use whitted::{Camera, Color, Light, Material, Object, Real, Vec3};
@@ -22,8 +22,8 @@ use crate::scene::{Camera, CapacityError, Light, Material, MaterialId, Object, S
 /// ```
 #[derive(Clone, Debug)]
 pub struct SceneBuilder<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize> {
-    /// Camera, ambient light, background and limits of the scene. The lists in this scene are
-    /// ignored.
+    /// The camera, ambient light, background and limits of the scene. The lists of objects, lights
+    /// and materials in `settings` are ignored.
     pub settings: Scene<'static>,
     objects: Vec<Object, OBJECTS>,
     lights: Vec<Light, LIGHTS>,

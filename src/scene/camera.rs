@@ -28,13 +28,14 @@ impl Camera {
 
     /// Returns the camera with its eye moved along a sphere around `look_at`.
     ///
-    /// `yaw_deg` moves the eye to the right, around `up`. `pitch_deg` moves the eye up. Both
-    /// angles are in degrees. The eye stops 1 degree before it is straight above or below
-    /// `look_at`. If the eye already is straight above or below `look_at`, it does not move.
+    /// Both angles are in degrees. `yaw_deg` moves the eye to the right, around the `up` vector.
+    /// `pitch_deg` moves the eye up. The eye stops 1 degree before it is straight above or below
+    /// `look_at`. If the eye is already straight above or below `look_at`, the camera does not
+    /// change.
     ///
-    /// Angles are exact at multiples of 90 degrees; elsewhere their error is below 0.11
-    /// degrees. Each orbit changes the distance from `look_at` by at most a factor of 1 ±
-    /// 2^-28, so repeated orbits do not drift visibly.
+    /// The eye moves by exact angles if the angles are multiples of 90 degrees. The error of other
+    /// angles is below 0.11 degrees. Each orbit changes the distance from `look_at` by at most a
+    /// factor of 1 ± 2^-28, so repeated orbits do not drift visibly.
     ///
     /// ```
     /// use whitted::{Camera, Real, Vec3};
@@ -50,8 +51,8 @@ impl Camera {
         let (Some(up), Some(view)) = (up, view) else {
             return self;
         };
-        // `level` is horizontal and points left as seen from the eye, so a positive rotation
-        // around it raises the eye.
+        // `level` is horizontal. Seen from the eye, it points left. A positive rotation around
+        // `level` therefore raises the eye.
         let Some(level) = direction(view.cross(up)) else {
             return self;
         };
@@ -70,8 +71,7 @@ impl Camera {
 /// straight above and below `look_at`.
 fn pitch(view: Vec3<Unit>, up: Vec3<Unit>, level: Vec3<Unit>, degrees: Real) -> Rotation {
     const HALF: Real = Real::lit("180");
-    /// An elevation of 89 degrees. This is a `const` so that its literals are parsed at compile
-    /// time.
+    /// An elevation of 89 degrees. It is a `const` so that its literals are parsed at compile time.
     const STEEPEST: Rotation = Rotation {
         cos: Unit::lit("0.0174524064"),
         sin: Unit::lit("0.9998476952"),
@@ -109,10 +109,10 @@ fn rotate(v: Vec3<Real>, axis: Vec3<Unit>, turn: Rotation) -> Vec3<Real> {
         })
 }
 
-/// Returns `x a + y b + z c` in Q32, rounded to nearest. The products of Q32 and Q30 have Q62
-/// and are shifted to Q32.
+/// Returns `x a + y b + z c` in Q32, rounded to nearest. Each product of a Q32 number and a Q30
+/// number has Q62, so the sum is shifted to Q32.
 ///
-/// Kept out of line, because products of 128 bits take much code.
+/// This function is not inlined, because products of 128 bits take much code.
 #[inline(never)]
 fn dot([x, y, z]: [i128; 3], [a, b, c]: [i64; 3]) -> i128 {
     let sum = x * i128::from(a) + y * i128::from(b) + z * i128::from(c);

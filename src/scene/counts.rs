@@ -1,7 +1,7 @@
 /// Numbers of objects, lights and materials: those of a scene, or the capacities of a
 /// [`SceneBuffer`](crate::SceneBuffer).
 ///
-/// [`scene_buffer!`](crate::scene_buffer) returns the type of a buffer that has the given
+/// [`scene_buffer!`](crate::scene_buffer!) returns the type of a buffer that has the given
 /// counts as its capacities. A program that uses this macro still compiles when a new version
 /// of the crate adds a kind of item.
 ///
@@ -46,8 +46,8 @@ impl SceneCounts {
         Self { materials, ..self }
     }
 
-    /// Returns the larger of two counts for each kind of item. A buffer with these capacities
-    /// can hold either scene.
+    /// For each kind of item, returns the larger of the two counts. A buffer with these capacities
+    /// can hold either of the two scenes.
     pub const fn max(self, other: Self) -> Self {
         Self {
             objects: larger(self.objects, other.objects),
@@ -57,7 +57,7 @@ impl SceneCounts {
     }
 }
 
-/// Returns the larger of two numbers. (`Ord::max` cannot be used because it is not `const`.)
+/// Returns the larger of two numbers. `Ord::max` cannot be used because it is not `const`.
 const fn larger(a: usize, b: usize) -> usize {
     if a > b { a } else { b }
 }

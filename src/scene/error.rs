@@ -80,7 +80,7 @@ pub enum SceneItem {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum SceneProblem {
-    /// The number is outside the allowed range. The ends of the range are allowed.
+    /// The number is outside the allowed range. The range includes both of its ends.
     OutOfRange {
         /// Smallest allowed number.
         least: Real,
@@ -113,8 +113,7 @@ pub enum SceneProblem {
         /// Capacity of the buffer for this list.
         capacity: u16,
     },
-    /// The value needs a Cargo feature that is disabled in this build. The feature is named
-    /// here.
+    /// The value needs this Cargo feature, which is disabled in this build.
     MissingFeature(&'static str),
 }
 
@@ -184,12 +183,12 @@ pub enum DecodeError {
         /// Version that this build of the crate decodes.
         expected: u8,
     },
-    /// The number of bytes is wrong. Either there are too few bytes for a header, or the
-    /// checksum is right but the lists take fewer or more bytes than there are.
+    /// The number of bytes is wrong. Either there are fewer bytes than a header has, or the lists
+    /// of the scene do not end at the last byte although the checksum is right.
     Length,
     /// The checksum is wrong: the bytes are damaged or truncated.
     Checksum,
-    /// A value of the item is invalid, although the checksum and the length are right.
+    /// The checksum and the length are right, but a value of the item is invalid.
     Invalid(SceneItem),
     /// A list of the scene is longer than the capacity of the buffer.
     TooMany {
@@ -198,8 +197,7 @@ pub enum DecodeError {
         /// Capacity of the buffer for this list.
         capacity: u16,
     },
-    /// The scene needs a Cargo feature that is disabled in this build. The feature is named
-    /// here.
+    /// The scene needs this Cargo feature, which is disabled in this build.
     MissingFeature(&'static str),
 }
 
@@ -214,8 +212,8 @@ impl fmt::Display for DecodeError {
             Self::Length => f.write_str("wrong length: the scene is truncated or too long"),
             Self::Checksum => f.write_str("wrong checksum: the scene is damaged or truncated"),
             Self::Invalid(item) => write!(f, "{item} has an invalid value"),
-            // The message is written here and not by `SceneError`, because `SceneError` would
-            // link the formatting of fixed-point numbers into firmware.
+            // This message does not use `SceneError`, because `SceneError` would link the
+            // formatting of fixed-point numbers into firmware.
             Self::TooMany { list, capacity } => {
                 write!(f, "too many {list}: the buffer holds {capacity}")
             }

@@ -2,20 +2,21 @@ use crate::math::{Color, Real};
 
 /// Coefficients that say how a surface reflects and transmits light (Whitted 1980, Phong 1975).
 ///
-/// Each coefficient is a color with channels from 0 to 1. Only `le` has a greater range.
+/// Each coefficient is a color with channels from 0 to 1. Only the channels of `le` may be greater
+/// than 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Material {
     /// Coefficient of ambient reflection.
     pub ka: Color<Real>,
     /// Coefficient of diffuse (Lambertian) reflection.
     pub kd: Color<Real>,
-    /// Coefficient of specular reflection: the weight of highlights.
+    /// Coefficient of specular reflection. It is the weight of highlights.
     pub ks: Color<Real>,
     /// Exponent of the highlight, 1 to 4096. The exponent is ignored if `ks` is black.
     pub shininess: Real,
     /// Weight of the reflected ray.
     pub kr: Color<Real>,
-    /// Weight of the transmitted ray. For shadow rays, this is the transmittance of the
+    /// Weight of the transmitted ray. A shadow ray uses this weight as the transmittance of the
     /// surface.
     pub kt: Color<Real>,
     /// Index of refraction, 1 to 4. See [`ior`] for common values. The index is ignored if `kt`
@@ -23,7 +24,7 @@ pub struct Material {
     pub ior: Real,
     /// Emitted radiance, from 0 to 256 per channel.
     pub le: Color<Real>,
-    /// Model of the highlight. `None` selects the model of the scene,
+    /// Model of the highlight. If it is `None`, the material uses the model of the scene,
     /// [`Scene::shading`](crate::Scene::shading).
     pub shading: Option<SpecularModel>,
 }

@@ -19,8 +19,8 @@ impl Object {
         }
     }
 
-    /// Returns an upright sphereflake that consists of one material. The radius of each sphere
-    /// is a third of the radius of the larger sphere that it touches.
+    /// Returns an upright sphereflake that consists of one material. Each smaller sphere has a
+    /// third of the radius of the sphere that it touches.
     ///
     /// ```
     /// use whitted::{Camera, Material, MaterialId, Object, Real, Scene, SceneBuffer, Vec3};

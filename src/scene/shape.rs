@@ -2,9 +2,9 @@ use crate::math::{Real, Vec3};
 
 /// Surface of an object, in world units.
 ///
-/// A surface is closed or open. A closed surface has an inside: a ray that passes through is
-/// refracted where it enters and where it leaves. An open surface has no inside. Axes of
-/// symmetry are parallel to the y axis.
+/// A surface is closed or open. A closed surface has an inside: a ray that passes through the
+/// surface is refracted where it enters and where it leaves. An open surface has no inside. Shapes
+/// with an axis of symmetry have this axis parallel to the y axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Shape {
@@ -23,40 +23,41 @@ pub enum Shape {
         /// shortest.
         radii: Vec3<Real>,
     },
-    /// A cylinder `x² + z² = r²` without caps. Its surface is open if it is clipped by `y`, and
-    /// closed if it is unbounded.
+    /// A cylinder `x² + z² = r²` without caps. A cylinder that is clipped by `y` is open. An
+    /// unbounded cylinder has an inside, so it is closed.
     Cylinder {
         /// A point on the axis. Heights `y` are relative to this point.
         origin: Vec3<Real>,
         /// Radius of the cylinder, above 0.
         radius: Real,
-        /// Low and high end along the axis. `None` makes the cylinder unbounded.
+        /// Lowest and highest `y` of the cylinder. `None` makes the cylinder unbounded.
         y: Option<[Real; 2]>,
     },
-    /// A double cone `x² + z² = (r/h)² (y - h)²` without caps. At y = 0 its radius is r, and
-    /// the apex is at y = h. Its surface is open if it is clipped by `y`, and closed if it is
-    /// unbounded.
+    /// A double cone `x² + z² = (r/h)² (y - h)²` without caps. At y = 0 its radius is r, and the
+    /// apex is at y = h. A double cone that is clipped by `y` is open. An unbounded double cone has
+    /// an inside, so it is closed.
     Cone {
-        /// Center of the circle at y = 0. Heights `y` are relative to this point.
+        /// Center of the circle that the double cone forms at y = 0. Heights `y` are relative to
+        /// this point.
         origin: Vec3<Real>,
         /// Radius r of the circle at y = 0, above 0.
         radius: Real,
-        /// Height h of the apex above the circle. A negative height makes a cone that stands on
-        /// its apex. The absolute value is 1/1024 to 1024 times the radius.
+        /// Height h of the apex above the circle at y = 0. If h is negative, the apex is below the
+        /// circle. The absolute value of h is 1/1024 to 1024 times the radius.
         height: Real,
-        /// Low and high end along the axis. The two ends may lie on different sides of the
-        /// apex. `None` makes the double cone unbounded.
+        /// Lowest and highest `y` of the double cone. They may lie on different sides of the apex.
+        /// `None` makes the double cone unbounded.
         y: Option<[Real; 2]>,
     },
     /// A paraboloid `x² + z² = y`. Its surface is open.
     Paraboloid {
         /// Vertex of the paraboloid. Heights `y` are relative to this point.
         origin: Vec3<Real>,
-        /// Low and high end of the paraboloid along its axis. The high end is above 0.
+        /// Lowest and highest `y` of the paraboloid. The highest `y` is above 0.
         y: [Real; 2],
     },
-    /// A plane. An unbounded plane is closed: its inside is the half-space behind the normal. A
-    /// clipped plane is open.
+    /// A plane. An unbounded plane has an inside, the half-space behind the normal, so it is
+    /// closed. A clipped plane is open.
     Plane {
         /// Normal of the plane. The vector may have any length except 0.
         normal: Vec3<Real>,
@@ -65,8 +66,8 @@ pub enum Shape {
         /// Box in world coordinates that clips the plane.
         bounds: ClipBox,
     },
-    /// A sphereflake: a sphere that is touched by twelve smaller spheres, each of which is
-    /// touched by twelve still smaller spheres, and so on. Its surface is closed.
+    /// A sphereflake. Twelve smaller spheres touch the largest sphere, twelve still smaller spheres
+    /// touch each of these, and so on. The surface of a sphereflake is closed.
     Sphereflake {
         /// Center of the largest sphere.
         center: Vec3<Real>,
@@ -77,14 +78,14 @@ pub enum Shape {
         depth: u8,
         /// Ratio of a sphere's radius to the radius of its parent, 0.1 to 0.5.
         ratio: Real,
-        /// Axes u, v and w of the largest sphere: a right-handed orthonormal basis.
+        /// Axes u, v and w of the largest sphere. They are a right-handed orthonormal basis.
         frame: [Vec3<Real>; 3],
     },
 }
 
 impl Shape {
-    /// Returns the fields that animation tracks change: the position, and the radius of a shape
-    /// that has exactly one.
+    /// Returns the fields that animation tracks change: the position and the radius. The radius is
+    /// `None` if the shape does not have exactly one radius.
     fn animated_fields(&mut self) -> (&mut Vec3<Real>, Option<&mut Real>) {
         match self {
             Self::Sphere { center, radius } => (center, Some(radius)),
@@ -124,8 +125,8 @@ impl Shape {
     ];
 }
 
-/// Axis-aligned box in world coordinates that clips a plane. On each clipped axis, the low end
-/// is below the high end.
+/// An axis-aligned box in world coordinates. It clips a plane. On each clipped axis, the low end is
+/// below the high end.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ClipBox {
     /// Low and high end along the x axis. `None` if x is not clipped.

@@ -6,13 +6,13 @@ use crate::scene::MaterialId;
 pub enum Texture {
     /// The same material for all points.
     Uniform(MaterialId),
-    /// A checkerboard in world coordinates. For each point, `floor(coordinate / size)` is added
-    /// up over the two axes. If the sum is even, the point has the first material, otherwise
-    /// the second.
+    /// A checkerboard in world coordinates. For a point, `floor(coordinate / size)` is computed
+    /// along each of the two axes. If the sum of the two values is even, the point has the first
+    /// material, otherwise the second.
     Checker {
         /// Side length of a cell of the checkerboard, above 0.
         size: Real,
-        /// The two axes that the checkerboard varies along. They must differ.
+        /// The two axes along which the checkerboard varies. The two axes must differ.
         axes: [Axis; 2],
         /// The material of the even cells, then that of the odd cells.
         materials: [MaterialId; 2],

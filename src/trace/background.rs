@@ -15,7 +15,7 @@ pub(super) fn background(settings: &Settings, height: Unit) -> Color<Radiance> {
 #[inline(never)]
 fn gradient(settings: &Settings, height: Unit) -> Color<Radiance> {
     settings.horizon.zip(settings.zenith, |horizon, zenith| {
-        // Both colors are at most 1, so every color between them is too.
+        // No channel of the two colors exceeds 1, so no channel of the blended color exceeds 1.
         let rise = zenith.to_bits() as i32 - horizon.to_bits() as i32;
         let risen = round_unit::<30>(rise.product(height.to_bits())).to_bits();
         Radiance::from_bits(horizon.to_bits().saturating_add_signed(risen))

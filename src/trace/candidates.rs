@@ -2,8 +2,8 @@ use heapless::Vec;
 
 use super::intersect::Hit;
 
-/// Greatest number of objects in the list of a scanline. If more objects may be visible on a
-/// scanline, its rays are tested against all objects of the scene.
+/// Capacity of the list of objects that may be visible on a scanline. If more objects may be
+/// visible, the rays of the scanline are tested against all objects of the scene.
 pub(crate) const MAX_CANDIDATES: usize = 64;
 
 /// The objects that the camera rays of a scanline may hit.
@@ -11,17 +11,18 @@ pub(crate) const MAX_CANDIDATES: usize = 64;
 pub(crate) struct Candidates {
     /// Indices of the objects that a camera ray may hit.
     pub(crate) objects: Vec<u16, MAX_CANDIDATES>,
-    /// True if the list of objects is complete. If it is not, the ray may hit any object.
+    /// True if the list `objects` is complete. If the list is not complete, a ray may hit any
+    /// object.
     pub(crate) is_complete: bool,
     /// True if all objects in the list are planes.
     pub(crate) are_planes: bool,
-    /// True if the only object in the list is a plane, and all rays of the scanline reach it at
-    /// the same distance. This distance is measured in lengths of a ray's unnormalized
-    /// direction.
+    /// True if the only object in the list is a plane, and all rays of the scanline reach this
+    /// plane at the same distance. The unit of the distance is the length of a ray's direction,
+    /// which is not normalized.
     pub(crate) is_coplanar: bool,
-    /// Hit of an earlier ray of the scanline on the only plane that the scanline shows. The
-    /// current ray has the same distance to the plane, but hits it only if the hit point is
-    /// inside the clip box of the plane.
+    /// The hit of an earlier ray of the scanline, if the list contains only one plane. The current
+    /// ray has the same distance to this plane. It hits the plane only if the hit point is inside
+    /// the clip box of the plane.
     pub(crate) cached_hit: Option<Hit>,
 }
 

@@ -8,13 +8,13 @@ use crate::prepare::{Material, PreparedScene};
 /// The point, normal, side and material of a hit are computed only in this file.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Interaction<'s> {
-    /// The ray of the interaction. After the ray has hit a surface, its origin is the hit
-    /// point, on the side of the surface that the ray came from.
+    /// The ray that causes the interaction. After the ray has hit a surface, its origin is the hit
+    /// point. The origin is on the side of the surface that the ray came from.
     pub(super) ray: Ray,
-    /// Shading normal at the hit. It points to the side that the ray comes from.
+    /// Shading normal at the hit point. It points to the side that the ray comes from.
     pub(super) normal: Vec3<Unit>,
-    /// Cosine of the angle of incidence, `-V · n`, for a ray of direction V and the normal n.
-    /// The cosine is not negative.
+    /// Cosine of the angle of incidence. It is `-V · n`, where V is the direction of the ray and n
+    /// is the normal. The cosine is not negative.
     pub(super) cosine: Unit,
     pub(super) material: &'s Material,
 }
@@ -42,9 +42,8 @@ impl<'s> Interaction<'s> {
         self.ray.leaves.is_inside
     }
 
-    /// Moves the ray to its hit point and computes the interaction. If `check_bounds` is true,
-    /// the point is checked against the clip box of a plane. Returns false if the point is
-    /// outside the box.
+    /// Moves the ray to its hit point and computes the interaction. Returns false if `check_bounds`
+    /// is true, the object is a plane, and the hit point is outside the clip box of the plane.
     #[inline(always)]
     pub(super) fn advance(
         &mut self,
@@ -84,7 +83,8 @@ impl<'s> Interaction<'s> {
         self.material.min_highlight_cosine == u32::MAX && !self.material.is_specular
     }
 
-    /// Normalizes the direction of a ray that was traced with a direction of another length.
+    /// Normalizes the direction of the ray, if the ray was traced with a direction of another
+    /// length.
     #[inline(never)]
     pub(super) fn normalize_ray(&mut self) {
         self.ray.direction = self.ray.direction.unit_outlined();

@@ -1,9 +1,9 @@
 //! Finds the nearest hit of a ray.
 //!
-//! The distances to all objects are computed first. The normal and the material are computed
-//! only for the nearest hit. If the ray starts in the near range (coordinates within ±3.5),
-//! distances have 32 bits. A separate, slower path finds hits outside this range, which only
-//! unbounded objects can have.
+//! The distances to all objects are computed first. The normal and the material are computed only
+//! for the nearest hit. Distances have 32 bits if the ray starts in the near range (coordinates
+//! within ±3.5). A separate, slower path finds hits outside the near range. Only unbounded objects
+//! can have such hits.
 
 use super::tracer::Tracer;
 use crate::geometry::{CullSphere, OriginSurface, Point, Ray, SurfaceFlags, to_q12, to_q16};
@@ -16,12 +16,12 @@ use crate::prepare::{GROUP, Object, SMALL_SCENE};
 pub(crate) struct Hit {
     /// Index of the object that the ray hits.
     pub(crate) object: u16,
-    /// True if the origin of the ray is in the near range (coordinates within ±3.5) and the hit
-    /// may be in it too.
+    /// True if the ray starts in the near range (coordinates within ±3.5) and the hit may be in
+    /// this range too.
     pub(crate) is_near: bool,
-    /// Distance from the origin of the ray to the hit. The distance is valid if the hit is
-    /// near. It is also valid if the object is bounded and the ray starts in the extended
-    /// range, but then it is measured from the origin of [`Ray::moved_near`].
+    /// Distance from the origin of the ray to the hit. The distance is valid if `is_near` is true.
+    /// It is also valid if the object is bounded and the ray starts in the extended range. In this
+    /// case, the distance is measured from the origin of [`Ray::moved_near`].
     pub(super) distance: Length,
 }
 
@@ -68,8 +68,7 @@ impl<O: Observer> Tracer<'_, '_, O> {
             ..
         } = ray.leaves;
         if cfg!(feature = "glass") && is_inside && flags.intersects(SurfaceFlags::ISOLATED) {
-            // The ray is inside an isolated sphere, so it can only hit this sphere, from
-            // inside.
+            // The ray is inside an isolated sphere, so it cannot hit any other object.
             let distance = self.distance(object, ray, NEAR_LIMIT)?;
             return Some(Hit {
                 object,
@@ -91,8 +90,8 @@ impl<O: Observer> Tracer<'_, '_, O> {
         self.finish(&nearest, ray)
     }
 
-    /// Intersects a ray with all objects of the scene, group by group. The ray may start
-    /// anywhere, and the scene may have any number of objects.
+    /// Intersects a ray with all objects of the scene. Bounded objects are tested in groups. The
+    /// ray may start anywhere, and the scene may have any number of objects.
     pub(super) fn intersect_any(&mut self, ray: &Ray) -> Option<Hit> {
         if !ray.origin.is_near() {
             return self.intersect_from_extended(ray);
@@ -113,7 +112,7 @@ impl<O: Observer> Tracer<'_, '_, O> {
         self.finish(&nearest, ray)
     }
 
-    /// Intersects a camera ray with the objects in a list of those that it may hit.
+    /// Intersects a camera ray with the given objects, the only objects that it may hit.
     #[inline(always)]
     pub(super) fn intersect_candidates(&mut self, objects: &[u16], ray: &Ray) -> Option<Hit> {
         let mut nearest = Nearest::NONE;
@@ -123,8 +122,9 @@ impl<O: Observer> Tracer<'_, '_, O> {
         self.finish(&nearest, ray)
     }
 
-    /// Tests a ray against bounded objects. An object is tested only if the ray may hit its
-    /// bounding sphere, and if it is not the object that the ray has left and cannot hit again.
+    /// Tests a ray against bounded objects. Skips objects whose bounding spheres the ray cannot
+    /// hit. Also skips the object that the ray has just left, if the ray cannot hit that object
+    /// again.
     #[inline(always)]
     fn test_bounded(&mut self, nearest: &mut Nearest, spheres: &[CullSphere], ray: &Ray) {
         let origin = to_q12(ray.origin.coordinates);
@@ -154,12 +154,12 @@ impl<O: Observer> Tracer<'_, '_, O> {
         }
     }
 
-    /// Returns the distance to an object. The distance is exact if it is below `limit`. It is
-    /// [`Length::MAX`] if the object may be hit outside the near range (coordinates within
-    /// ±3.5).
+    /// Returns the distance from the origin of a ray to an object. The distance is exact if it is
+    /// below `limit`. The distance is [`Length::MAX`] if the ray may hit the object outside the
+    /// near range (coordinates within ±3.5).
     ///
-    /// Kept out of line: otherwise LLVM hoists code out of the loops that call this function.
-    /// The loops are so short that this costs more than it saves.
+    /// This function is not inlined. Otherwise, LLVM moves code out of the loops that call it. The
+    /// loops are so short that moving the code costs more time than it saves.
     fn distance(&mut self, object: u16, ray: &Ray, limit: Length) -> Option<Length> {
         let is_origin = object == ray.leaves.object;
         let object = self.scene.objects.get(usize::from(object))?;
@@ -203,10 +203,11 @@ impl<O: Observer> Tracer<'_, '_, O> {
         Some((hit, distance))
     }
 
-    /// Intersects a ray that starts in the extended range, outside all bounded geometry.
+    /// Intersects a ray that starts in the extended range. The origin of the ray is outside all
+    /// bounded objects.
     ///
-    /// For tests against bounded objects, the origin of the ray is moved to a point shortly
-    /// before these objects. Unbounded objects are tested with the true origin.
+    /// To test bounded objects, the origin of the ray is moved to a point shortly before these
+    /// objects. To test unbounded objects, the true origin is used.
     #[cold]
     fn intersect_from_extended(&mut self, ray: &Ray) -> Option<Hit> {
         let unbounded = self.intersect_unbounded(ray);

@@ -1,5 +1,5 @@
-//! Direct lighting of a point: emission, ambient light, and the lights that are visible from
-//! the point.
+//! Computes the direct lighting of a point. It consists of the emission, the ambient light, and the
+//! light of all lights that are visible from the point.
 
 use super::interaction::Interaction;
 use super::tracer::Tracer;
@@ -12,8 +12,8 @@ use crate::observer::{Observer, to_real};
 use crate::prepare::Light;
 
 impl<O: Observer> Tracer<'_, '_, O> {
-    /// Sets `sum` to the direct lighting: `le + ka ia`, plus `T (kd (L·n) id + ks S is)` for
-    /// each light. T is the transmittance between the point and the light, L is the unit
+    /// Sets `sum` to the direct lighting. This is `le + ka ia`, plus `T (kd (L·n) id + ks S is)`
+    /// for each light. T is the transmittance between the point and the light. L is the unit
     /// direction to the light, n is the normal, and S is the highlight.
     pub(super) fn direct_lighting(&mut self, at: &Interaction<'_>, sum: &mut Color<Radiance>) {
         *sum = at.material.emitted;
@@ -45,8 +45,7 @@ impl<O: Observer> Tracer<'_, '_, O> {
         index: usize,
         sum: &mut Color<Radiance>,
     ) {
-        // The vector to the light is in the units of the hit point, which depend on the shift
-        // of that point.
+        // The unit of `to_light` depends on the shift of the hit point.
         let to_light = at.ray.origin.to(light.position);
         let is_vertical = at.ray.leaves.flags.intersects(SurfaceFlags::HORIZONTAL);
         let along = to_light.along_normal(at.normal, is_vertical).to_bits();
@@ -55,14 +54,9 @@ impl<O: Observer> Tracer<'_, '_, O> {
         }
         let inverse = inverse_length(to_light.squared().to_bits() as u64);
         let n_dot_l = inverse.cosine(along);
-        let material = at.material;
-        let highlight = if material.min_highlight_cosine == u32::MAX {
-            Factor::ZERO
-        } else {
-            let v_dot_l = inverse.cosine(to_light.along(at.ray.direction).to_bits());
-            at.highlight(v_dot_l, n_dot_l)
-        };
-        if highlight == Factor::ZERO && material.kd.is_black() {
+        let v_dot_l = || inverse.cosine(to_light.along(at.ray.direction).to_bits());
+        let highlight = at.highlight(v_dot_l, n_dot_l);
+        if highlight == Factor::ZERO && at.material.kd.is_black() {
             return;
         }
         let segment = ShadowSegment {
@@ -88,25 +82,25 @@ impl<O: Observer> Tracer<'_, '_, O> {
                 &attenuated
             }
         };
-        *sum = sum.plus(material.kd.reflect(to_intensity(n_dot_l), light.diffuse));
+        *sum = sum.plus(at.material.kd.reflect(to_intensity(n_dot_l), light.diffuse));
         if highlight != Factor::ZERO {
-            *sum = sum.plus(material.ks.reflect(highlight.into(), light.specular));
+            *sum = sum.plus(at.material.ks.reflect(highlight.into(), light.specular));
         }
     }
 }
 
 impl Interaction<'_> {
-    /// Returns true if a light may have a visible Phong highlight. Most highlights are too dim.
-    /// This test rejects them without computing a square root.
+    /// Returns true if a light may cause a visible Phong highlight. Most highlights are too dim to
+    /// be visible. This function rejects most of them without computing a square root.
     fn may_have_highlight(&self, light: &Light) -> bool {
-        /// The test ignores the low words of its numbers. This margin exceeds the resulting
-        /// error.
+        /// The test ignores the low words of its numbers. This margin is greater than the error
+        /// that this causes.
         const MARGIN: i32 = 8;
         let to_light = self.ray.origin.to(light.position);
-        // The base of the highlight is `2 (L·n)(-V·n) + L·V`, for the direction L to the light,
-        // the view direction V and the normal n. The code uses the full vector to the light
-        // instead of L, so the result is multiplied by the distance. The dot products have Q58
-        // and are shifted to Q26; the factor -V·n has Q30.
+        // The base of the highlight is `2 (L·n)(-V·n) + L·V`. L is the direction to the light, V is
+        // the view direction and n is the normal. The code uses the full vector to the light
+        // instead of L, so its result is the base times the distance to the light. The dot products
+        // have Q58 and are shifted to Q26. The factor -V·n has Q30.
         let along = high(to_light.along(self.normal).to_bits());
         let reflected = along.product(self.cosine.to_bits()) >> 29;
         let across = high(to_light.along(self.ray.direction).to_bits());
@@ -123,10 +117,14 @@ impl Interaction<'_> {
     /// Returns the highlight: `(R_L · -V)^s` in Phong's model, `(H · n)^s` in Blinn's model.
     ///
     /// R_L is the reflected direction of the light, H is the halfway vector, V is the view
-    /// direction, n is the normal, and s is the exponent. Neither R_L nor H is computed,
-    /// because three known cosines give both bases: `R_L · -V = 2 (L·n)(-V·n) + L·V`, and
-    /// `H · n = (L·n - V·n) / |L - V|` with `|L - V|² = 2 - 2 L·V`.
-    fn highlight(&self, v_dot_l: Unit, n_dot_l: Unit) -> Factor {
+    /// direction, n is the normal, and s is the exponent. Neither R_L nor H is computed. The bases
+    /// of the two powers follow from three known cosines: `R_L · -V = 2 (L·n)(-V·n) + L·V`, and `H
+    /// · n = (L·n - V·n) / |L - V|` with `|L - V|² = 2 - 2 L·V`.
+    fn highlight(&self, v_dot_l: impl FnOnce() -> Unit, n_dot_l: Unit) -> Factor {
+        if self.material.min_highlight_cosine == u32::MAX {
+            return Factor::ZERO;
+        }
+        let v_dot_l = v_dot_l();
         let base = if self.material.is_blinn {
             let sum = (n_dot_l.to_bits() as u32).wrapping_add(self.cosine.to_bits() as u32);
             // `square` is |L - V|² / 4 as U0F32, for the unit directions L and V. It is at most
@@ -150,8 +148,8 @@ impl Interaction<'_> {
     }
 }
 
-/// Rounds a cosine from 0 to 1 to an intensity. The result may slightly exceed 1, but too
-/// little to be visible.
+/// Rounds a cosine from 0 to 1 to an intensity. The intensity may exceed 1, but too little to be
+/// visible.
 fn to_intensity(cosine: Unit) -> Intensity {
     Intensity::from_bits(((cosine.to_bits() + (1 << 13)) >> 14) as u32)
 }
@@ -217,7 +215,7 @@ mod tests {
             }
             let inverse = inverse_length(way.squared().to_bits() as u64);
             let across = inverse.cosine(way.along(view).to_bits());
-            let highlight = interaction.highlight(across, inverse.cosine(along));
+            let highlight = interaction.highlight(|| across, inverse.cosine(along));
             let may_have_highlight = interaction.may_have_highlight(&light);
             assert!(
                 highlight == Factor::ZERO || may_have_highlight,

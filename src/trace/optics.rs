@@ -6,9 +6,9 @@ use crate::math::{
 
 /// Returns the direction of a reflected ray, `V + 2 c n`. The error is below 3 * 2^-30.
 ///
-/// `view` is the direction V of the incoming ray. `normal` is the normal n, which faces the
-/// ray. `cosine` is `c = -V · n`, at least 0. The term `2 c n` may have a length of 2 and
-/// overflow, but the sum wraps to its correct value.
+/// `view` is the direction V of the incoming ray. `normal` is the normal n, which faces the ray.
+/// `cosine` is `c = -V · n`, at least 0. The term `2 c n` may overflow, but the sum then wraps to
+/// the correct value.
 pub(crate) fn mirrored(view: Vec3<Unit>, normal: Vec3<Unit>, cosine: Unit) -> Vec3<Unit> {
     let turn = scaled::<29>(normal.map(Unit::to_bits), cosine.to_bits());
     view.zip(turn.map(Unit::from_bits), Unit::wrapping_add)
@@ -18,10 +18,10 @@ pub(crate) fn mirrored(view: Vec3<Unit>, normal: Vec3<Unit>, cosine: Unit) -> Ve
 /// Returns the direction of a refracted ray: `η V + (η c - sqrt(k)) n`, where
 /// `k = 1 - η² (1 - c²)`. Returns `None` if k < 0, which means total internal reflection.
 ///
-/// `view` is the direction V of the incoming ray. `normal` is the normal n, which faces the
-/// ray. `cosine` is `c = -V · n`, at least 0. `eta` is the ratio η of two indices of
-/// refraction, 1/4 to 4: the index on the ray's side divided by the index on the other side.
-/// The error is below 2^-20 if sqrt(k) is above 2^-10.
+/// `view` is the direction V of the incoming ray. `normal` is the normal n, which faces the ray.
+/// `cosine` is `c = -V · n`, at least 0. `eta` is η, the index of refraction on the ray's side
+/// divided by the index on the other side. It is 1/4 to 4. The error of the direction is below
+/// 2^-20 if sqrt(k) is above 2^-10.
 pub(crate) fn refracted(
     view: Vec3<Unit>,
     normal: Vec3<Unit>,

@@ -12,13 +12,14 @@ use crate::math::{Color, Factor, Radiance, Unit, Vec3, Weight};
 use crate::observer::{Observer, RayKind, RayNode, weight_to_real};
 use crate::prepare::{MAX_DEPTH, Settings};
 
-/// Maximum number of rays per pixel, not counting shadow rays. All further rays of the pixel
-/// count as black.
+/// Maximum number of rays per pixel, not counting shadow rays. Further rays of the pixel are not
+/// traced and count as black.
 ///
-/// Without this budget, a ray tree of the greatest depth could have 2^33 rays.
+/// Without this limit, a ray tree of the greatest depth, 32, could have 2^33 rays.
 const RAY_BUDGET: u16 = 4096;
 
-/// Capacity of the small stack. Scenes with at most this depth use it.
+/// Capacity of the small stack of rays. A scene uses this stack if its `max_depth` is at most this
+/// capacity.
 const SMALL_STACK: usize = 8;
 
 /// A ray that still has to be traced. It takes 56 bytes.
@@ -33,7 +34,7 @@ struct PendingRay {
 struct PathState {
     /// Fraction of the ray's radiance that reaches the camera.
     throughput: Color<Weight>,
-    /// Number of surfaces on the path between the ray and the camera.
+    /// Number of reflections and refractions between the camera and the ray.
     depth: u8,
     kind: RayKind,
 }
@@ -45,10 +46,11 @@ impl PathState {
         kind: RayKind::Camera,
     };
 
-    /// Extends the path by a ray with the given weight. Returns `None` if the new throughput is
-    /// too small for the ray to matter.
+    /// Extends the path by a ray with the given weight. Returns `None` if the throughput of the
+    /// extended path is too small to matter.
     fn extended(&self, weight: Color<Weight>, kind: RayKind, settings: &Settings) -> Option<Self> {
-        // A camera ray has depth 0 and a throughput of 1, so the new throughput is the weight.
+        // Before the first reflection or refraction, the throughput is 1. The new throughput is
+        // therefore the weight.
         let throughput = if self.depth == 0 {
             weight
         } else {
@@ -68,10 +70,10 @@ impl PathState {
 impl<'s, O: Observer> Tracer<'_, 's, O> {
     /// Traces a camera ray and returns its radiance.
     ///
-    /// The direction need not have unit length. It is normalized only where necessary: planes
-    /// with matte materials do not need a unit direction.
+    /// The direction may have any length. It is normalized only where necessary. For example,
+    /// planes with matte materials do not need a unit direction.
     ///
-    /// Kept out of line, so that all ways to draw share one copy of the tracer.
+    /// This function is not inlined, so that all ways to draw share one copy of the tracer.
     #[inline(never)]
     pub(crate) fn trace_camera_ray(
         &mut self,
@@ -151,8 +153,8 @@ impl<'s, O: Observer> Tracer<'_, 's, O> {
         radiance
     }
 
-    /// Adds the radiance of all secondary rays of a pixel. The capacity of the stack for
-    /// pending rays depends on the depth of the scene.
+    /// Adds the radiance of all secondary rays of a pixel. The stack of pending rays has a capacity
+    /// that depends on the depth of the scene.
     fn trace_tree(&mut self, interaction: &mut Interaction<'s>, radiance: &mut Color<Radiance>) {
         let settings = &self.scene.settings;
         let mut tree = RayTree {
@@ -207,8 +209,8 @@ struct RayTree<'r, 't, 's, O> {
 }
 
 impl<O: Observer> RayTree<'_, '_, '_, O> {
-    /// Traces the reflected rays of a scene without transparent materials. Each ray then has at
-    /// most one successor.
+    /// Traces the reflected rays of a scene without transparent materials. In such a scene, each
+    /// ray has at most one successor.
     fn trace_reflections(&mut self) {
         let stack = &mut Vec::<PendingRay, 0>::new();
         let mut has_next = self.reflect();
@@ -259,7 +261,7 @@ impl<O: Observer> RayTree<'_, '_, '_, O> {
         let mut local = Color::<Radiance>::BLACK;
         tracer.direct_lighting(interaction, &mut local);
         tracer.notify(Some(interaction), *path, local);
-        // Glass mostly has black direct lighting, which need not be added.
+        // The direct lighting of glass is usually black. Black need not be added.
         if local != Color::<Radiance>::BLACK {
             **radiance = radiance.plus(path.throughput.weigh(local));
         }
@@ -290,9 +292,11 @@ impl<O: Observer> RayTree<'_, '_, '_, O> {
         true
     }
 
-    /// Replaces the current ray by the reflected ray. If only the transmitted ray is worth
-    /// tracing, that ray replaces the current ray. If both are, the transmitted ray waits on
-    /// the stack. The stack therefore holds at most one ray per generation, and no push fails.
+    /// Chooses the rays to trace from the reflected and the transmitted ray. If only one of them is
+    /// worth tracing, it replaces the current ray. If both are worth tracing, the reflected ray
+    /// replaces the current ray, and the transmitted ray is pushed onto the stack. The stack
+    /// therefore holds at most one ray per generation, and no push fails. Returns false if neither
+    /// is worth tracing.
     #[inline(never)]
     fn reflect_and_transmit(&mut self, stack: &mut VecView<PendingRay>) -> bool {
         let Self {

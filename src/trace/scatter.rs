@@ -4,18 +4,17 @@ use crate::geometry::{Ray, SurfaceFlags};
 use crate::math::{Color, Unit, Vec3, Weight};
 use crate::prepare::Material;
 
-/// Weights of the reflected and the transmitted ray at a transparent surface.
+/// Describes the two rays that leave a transparent surface: a reflected and a transmitted ray.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Scattering {
     pub(super) reflected: Color<Weight>,
-    /// Weight and direction of the transmitted ray. `None` if there is total internal
-    /// reflection.
+    /// Weight and direction of the transmitted ray, or `None` at total internal reflection.
     pub(super) transmitted: Option<(Color<Weight>, Vec3<Unit>)>,
 }
 
 impl Interaction<'_> {
-    /// Computes the reflected and the transmitted ray. At total internal reflection, the
-    /// surface is a perfect mirror.
+    /// Computes the reflected and the transmitted ray. At total internal reflection, all light
+    /// is reflected and there is no transmitted ray.
     pub(super) fn scatter(&self) -> Scattering {
         let Material { kr, kt, .. } = *self.material;
         let direction = if self.ray.leaves.flags.intersects(SurfaceFlags::OPEN) {

@@ -1,8 +1,8 @@
 //! Finds out if a light is visible from a point of a surface.
 //!
-//! The fast path handles opaque spheres and planes. It needs neither a square root nor the
-//! point where the light meets the object. For transparent objects and other shapes, the points
-//! where the light crosses the surface are computed.
+//! A fast test handles opaque spheres and planes. It takes no square root and does not compute
+//! where the light meets the object. For transparent objects and other shapes, a slower test
+//! may compute all points where the light crosses the surface.
 
 use super::tracer::Tracer;
 use crate::geometry::{ShadowSegment, SurfaceFlags, Texture, normalize_q16};
@@ -11,9 +11,9 @@ use crate::observer::{Observer, RayKind};
 use crate::prepare::{Light, Object};
 
 impl<O: Observer> Tracer<'_, '_, O> {
-    /// Returns true if the light is visible from the surface point at the other end of the
-    /// segment. If transparent surfaces filter the light, `transmittance` is set to the
-    /// fraction that arrives.
+    /// Returns true if light arrives at the surface point from which the segment starts. If
+    /// transparent surfaces filter the light, sets `transmittance` to the fraction of the
+    /// light that arrives.
     #[inline(always)]
     pub(super) fn is_visible(
         &mut self,
@@ -50,8 +50,8 @@ impl<O: Observer> Tracer<'_, '_, O> {
         unbounded.all(|&object| self.attenuate(segment, object, transmittance))
     }
 
-    /// Multiplies the transmittance by that of an object, if the segment crosses this object.
-    /// Returns false if no light is left.
+    /// If the segment crosses an object, multiplies `transmittance` by the fraction of the
+    /// light that this object lets through. Returns false if no light is left.
     #[inline(never)]
     fn attenuate(
         &mut self,
@@ -61,7 +61,8 @@ impl<O: Observer> Tracer<'_, '_, O> {
     ) -> bool {
         let object = self.scene.object(index);
         let is_origin = index == segment.ray.leaves.object;
-        // Transmittance of each crossing, if it is the same at all points of the object.
+        // Fraction of the light that the surface lets through, if it is the same at all
+        // points.
         let kt = match object.texture {
             Texture::Uniform(material) => Some(self.scene.material(material).kt),
             Texture::Checker(_) => None,
@@ -101,8 +102,9 @@ impl<O: Observer> Tracer<'_, '_, O> {
         is_crossed
     }
 
-    /// Multiplies a transmittance by that of the surface at every point where a shadow segment
-    /// crosses an object.
+    /// Returns the fraction of the light that is left after an object. At each point where the
+    /// shadow segment crosses the surface, multiplies `transmittance` by the fraction that the
+    /// surface lets through.
     fn filter(
         &mut self,
         segment: &ShadowSegment<'_>,

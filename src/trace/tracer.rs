@@ -3,8 +3,7 @@ use crate::prepare::PreparedScene;
 
 /// Traces rays through a prepared scene.
 ///
-/// The methods of the tracer are in the other files of this folder. Each file implements one
-/// stage.
+/// The other files of this folder implement the methods of the tracer, one stage in each file.
 pub(crate) struct Tracer<'t, 's, O> {
     pub(crate) scene: &'s PreparedScene<'s>,
     /// The part of a composite shape that the last ray hit.

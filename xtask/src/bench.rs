@@ -1,4 +1,4 @@
-//! Counts in QEMU the instructions that pictures take, in fixed point and in floating point.
+//! Draws pictures in QEMU, in fixed point and in floating point, and counts the instructions.
 
 mod count;
 mod flash;
@@ -21,7 +21,7 @@ const BUDGET: Budget = Budget {
     bless: "cargo xtask bench --bless",
 };
 
-/// Counts the instructions of a scene on all cores and prints a table.
+/// Draws a scene on all cores, counts the instructions, and prints a table.
 pub fn print(scene: &str) -> Result<()> {
     let mut subjects = SUBJECTS.to_vec();
     subjects.retain(|subject| subject.scene == scene);
@@ -31,7 +31,8 @@ pub fn print(scene: &str) -> Result<()> {
     Ok(())
 }
 
-/// Measures all pictures and firmware, and writes the tables of docs/benchmarks.md.
+/// Measures the instructions of all pictures and the size of all firmware. Writes the results to
+/// the tables of docs/benchmarks.md.
 pub fn write() -> Result<()> {
     let rows = count(&SUBJECTS, &Core::ALL, true)?;
     page::replace("frames", &page::frames(&rows)?)?;

@@ -1,4 +1,5 @@
-//! Boards whose firmware is a separate workspace with its own memory map and Cargo configuration.
+//! Builds the firmware of the boards in the folder `boards`. The firmware of each board is a
+//! separate workspace with its own memory map and Cargo configuration.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -34,10 +35,12 @@ pub const STM32F405_IN_QEMU: Board = Board {
     ..STM32F405
 };
 
-/// Raspberry Pi Pico with an ST7789 display. rp2040js runs the unmodified firmware.
+/// Raspberry Pi Pico with an ST7789 display. Its firmware also runs unmodified in the emulator
+/// rp2040js.
 pub const PICO: Board = board("pico", V6M, 121_000);
 
-/// All boards with the firmware for hardware. No emulator runs the firmware of the last three.
+/// Lists all boards, with the features for real hardware. For the last three boards, the firmware
+/// does not run in any emulator.
 const ALL: [Board; 5] = [
     STM32F405,
     PICO,
@@ -66,8 +69,8 @@ pub(crate) fn flash() -> Result<Vec<(&'static str, Usage)>> {
     ALL.into_iter().map(usage).collect()
 }
 
-/// Builds the firmware of all boards and prints the flash sizes. Returns an error if a board is
-/// over its budget.
+/// Builds the firmware of all boards and prints the flash sizes. Returns an error if a board's
+/// firmware takes more flash than its budget allows.
 pub fn build_all() -> Result<()> {
     println!("{:12} {:>7} {:>7}", "board", "flash", "budget");
     let mut too_large = Vec::new();
@@ -83,10 +86,10 @@ pub fn build_all() -> Result<()> {
     Ok(())
 }
 
-/// Starts to build the firmware of all boards in the background, on processor cores that other
-/// steps leave idle.
+/// Starts to build the firmware of all boards in the background, while other steps run.
 pub(crate) fn start_builds() -> Result<()> {
-    // Errors are ignored: a failed build fails again in the step that needs it.
+    // Errors are ignored, because the step that needs the firmware builds it again and reports the
+    // error.
     thread::spawn(|| {
         ALL.into_iter()
             .try_for_each(|board| board.build(None).map(drop))
@@ -94,7 +97,8 @@ pub(crate) fn start_builds() -> Result<()> {
     Ok(())
 }
 
-/// Returns the target folder. All boards use the same one, so that they share built dependencies.
+/// Returns Cargo's target folder for boards. All boards use the same folder, so that they share
+/// built dependencies.
 fn builds() -> PathBuf {
     target_dir().join("boards")
 }
@@ -114,8 +118,8 @@ impl Board {
         cargo
     }
 
-    /// Builds the firmware, with `scene` in place of the default scene if given. Returns the path
-    /// of a copy of the program, which later builds do not overwrite.
+    /// Builds the firmware. If `scene` is given, it replaces the default scene. Copies the program,
+    /// so that later builds do not overwrite it, and returns the path of the copy.
     pub fn build(self, scene: Option<&Path>) -> Result<PathBuf> {
         tools::install_flip_link()?;
         let mut build = self.cargo("build");

@@ -1,4 +1,4 @@
-//! Budgets: numbers in the repository that measurements must not exceed.
+//! Compares measurements with budgets, which are upper limits stored in the repository.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -7,7 +7,7 @@ use anyhow::{Context, Result, bail};
 
 use crate::root;
 
-/// Allowed difference between a measurement and the budget, in percent.
+/// Percentage by which a measurement may differ from its budget.
 const TOLERANCE: u64 = 1;
 
 /// Counts by the names of measurements, such as "whitted 160x120 m3".
@@ -22,8 +22,8 @@ pub(crate) struct Budget {
 }
 
 impl Budget {
-    /// Prints a comparison of counts with the budget. Returns an error if a count is over the
-    /// budget.
+    /// Prints each count next to its budget. Returns an error if a count is over its budget by more
+    /// than the tolerance.
     pub(crate) fn check(&self, counted: &Counts) -> Result<()> {
         let Self { file, bless } = self;
         let text = fs::read_to_string(root().join(file))

@@ -17,13 +17,14 @@ pub(crate) fn cargo() -> Command {
     command(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
 }
 
-/// Returns a command for the Cargo of another toolchain, such as `+nightly`, with a separate target
-/// folder.
+/// Returns a command that runs Cargo of another toolchain, such as `+nightly`. The command builds
+/// in a separate target folder.
 pub(crate) fn cargo_of(toolchain: &str, target_dir: &str) -> Command {
     let mut cargo = command("cargo");
     cargo.arg(toolchain);
     cargo.env("CARGO_TARGET_DIR", crate::target_dir().join(target_dir));
-    // The Cargo that runs this program sets these variables. They would select its own toolchain.
+    // Cargo started this program with these variables. If they were kept, they would select the
+    // toolchain of this program.
     for variable in ["RUSTUP_TOOLCHAIN", "CARGO", "RUSTC"] {
         cargo.env_remove(variable);
     }

@@ -25,7 +25,7 @@ pub const TARGETS: [&str; 4] = [V6M, V7M, V7EM, V8M];
 /// Name of the Cargo profile for microcontrollers in the root Cargo.toml.
 pub(crate) const PROFILE: &str = "firmware";
 
-/// A firmware package of the root workspace, with the target to build it for.
+/// A firmware package of the root workspace, and the target for which it is built.
 #[derive(Clone, Copy, Debug)]
 pub struct Firmware {
     /// Name of both the package and its program.
@@ -49,8 +49,9 @@ impl Firmware {
         }
     }
 
-    /// Builds the firmware and returns the path of a copy of the program, which later builds do not
-    /// overwrite. If the firmware has a scene in flash, `scene` replaces its default scene.
+    /// Builds the firmware. If the firmware has a scene in flash, `scene` replaces its default
+    /// scene. Copies the program, so that later builds do not overwrite it, and returns the path of
+    /// the copy.
     pub fn build(self, scene: Option<&Path>) -> Result<PathBuf> {
         let Self {
             package,
@@ -77,7 +78,8 @@ pub(crate) fn build_copy(
     program: &Path,
     name: &str,
 ) -> Result<PathBuf> {
-    // Only one build runs at a time: builds with other scenes or features write the same file.
+    // Only one build runs at a time, because builds with different scenes or features write to the
+    // same file.
     static ONE_AT_A_TIME: Mutex<()> = Mutex::new(());
     let _guard = ONE_AT_A_TIME.lock();
 

@@ -17,11 +17,11 @@ use crate::qemu::{Arithmetic, Machine};
 use crate::{root, scenes};
 use least_squares::non_negative;
 
-/// Sizes of the counted pictures. The narrow size separates the costs per line from the costs per
-/// pixel.
+/// Sizes of the pictures whose instructions are counted. Their widths differ, so that the fit can
+/// separate the cost of a line from the cost of a pixel.
 const SIZES: [Size; 2] = [Size::new(160, 120), Size::new(20, 120)];
 
-/// A picture with its items of work and its counted instructions.
+/// A picture with its amount of each item of work, and its instruction counts.
 struct Sample {
     scene: String,
     size: Size,
@@ -70,8 +70,8 @@ fn sample(scene: &Path, size: Size, firmware: &[PathBuf]) -> Result<Sample> {
     })
 }
 
-/// Returns the prices of the items on a core, in instructions. They minimize the sum of the squared
-/// relative errors over all samples.
+/// Returns the price of each item of work on a core, in instructions. With these prices, the sum of
+/// the squared relative errors of the instruction counts is minimal.
 fn prices(samples: &[Sample], core: usize) -> [u32; ITEMS.len()] {
     let row = |sample: &Sample| {
         let counted = sample.instructions[core] as f64;

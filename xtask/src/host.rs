@@ -1,4 +1,4 @@
-//! Renders and decodes on the host, for comparison with firmware.
+//! Renders and decodes scenes on the host. Tests compare the results with those of firmware.
 
 use std::path::Path;
 
@@ -7,7 +7,8 @@ use embedded_graphics_core::geometry::Size;
 use whitted::SceneBuffer;
 use whitted_sim::{render, scene_file};
 
-/// Renders a scene on the host and returns the checksum of the picture, as firmware prints it.
+/// Renders a scene on the host. Returns the checksum of the picture in the format that firmware
+/// prints.
 pub fn checksum(scene: &Path, size: Size) -> Result<String> {
     let file = scene_file::load(scene)?;
     let mut buffer = Box::new(scene_file::Buffer::new());
@@ -15,8 +16,8 @@ pub fn checksum(scene: &Path, size: Size) -> Result<String> {
     Ok(format!("{:08x}", render::checksum(&picture)))
 }
 
-/// Returns the error message for a compiled scene that firmware cannot decode. The firmware has
-/// capacity for 64 objects, 8 lights and 64 materials.
+/// Returns the message of the error that firmware finds when it decodes an invalid compiled scene.
+/// Like the firmware, this function has capacity for 64 objects, 8 lights and 64 materials.
 pub fn decode_error(compiled: &[u8]) -> Result<String> {
     let mut buffer = Box::new(SceneBuffer::<64, 8, 64>::new());
     match buffer.decode(compiled) {

@@ -1,7 +1,7 @@
 //! The tasks of the project. `cargo xtask help` lists them.
 //!
-//! The tasks are in a library, so that the tests in `xtask/tests` can build firmware and run it in
-//! emulators.
+//! The tasks are in a library, so that the tests in `xtask/tests` can use them to build firmware
+//! and to run it in emulators.
 
 pub mod bench;
 pub mod board;
@@ -46,7 +46,7 @@ pub fn scene(name: &str) -> PathBuf {
     root().join("scenes").join(name).with_extension("toml")
 }
 
-/// Returns the paths of all the project's scenes, sorted by name.
+/// Returns the paths of the scene files in the project's folder `scenes`, sorted by name.
 pub fn scenes() -> Result<Vec<PathBuf>> {
     let mut scenes = fs::read_dir(root().join("scenes"))?
         .map(|entry| Ok(entry?.path()))
@@ -65,7 +65,8 @@ pub fn target_dir() -> PathBuf {
     root().join(named)
 }
 
-/// Returns the folder for compiled scenes, firmware and screenshots. Creates it if missing.
+/// Returns the folder for compiled scenes, firmware and screenshots. Creates the folder if it does
+/// not exist.
 pub fn scratch_dir() -> Result<PathBuf> {
     let dir = target_dir().join("qemu");
     fs::create_dir_all(&dir)?;

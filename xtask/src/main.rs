@@ -42,7 +42,7 @@ enum Task {
         #[arg(long)]
         window: bool,
     },
-    /// Draws a scene on a core in QEMU, without a display, and prints its instructions.
+    /// Draws a scene on a core in QEMU, without a display, and prints the number of instructions.
     Headless {
         #[command(flatten)]
         job: Job,
@@ -53,19 +53,20 @@ enum Task {
         #[arg(long)]
         float: bool,
     },
-    /// Counts the instructions of pictures in QEMU and writes docs/benchmarks.md.
+    /// Draws pictures in QEMU, counts the instructions, and writes docs/benchmarks.md.
     Bench(Bench),
-    /// Fits the cost model of `cargo sim render --stats`; writes sim/src/cost/prices.rs.
+    /// Fits the cost model of `cargo sim render --stats` and writes sim/src/cost/prices.rs.
     Fit,
-    /// Prints the functions and lines that take most of a frame's instructions.
+    /// Draws a scene and prints the functions and lines that take the most instructions.
     Profile {
         #[command(flatten)]
         job: Job,
-        /// Size of the picture, WIDTHxHEIGHT. QEMU logs every instruction: keep the picture small.
+        /// Size of the picture, WIDTHxHEIGHT. Choose a small size, because QEMU logs every
+        /// instruction.
         #[arg(long, default_value = "40x30")]
         size: String,
     },
-    /// Draws with the Raspberry Pi Pico's firmware in rp2040js, and compares pictures and cycles.
+    /// Tests the Raspberry Pi Pico's firmware in the emulator rp2040js.
     Pico {
         /// Scene file. If missing, runs the whole test of the board.
         #[arg(value_parser = existing)]
@@ -83,11 +84,11 @@ enum Task {
         #[arg(value_parser = existing)]
         scenes: Vec<PathBuf>,
     },
-    /// Builds the firmware of all boards and compares its flash with the budget.
+    /// Builds the firmware of all boards and compares the flash sizes with the budgets.
     Boards,
     /// Prints flash and RAM of the LM3S6965 and headless firmware.
     Size,
-    /// Checks the layers of the library, import cycles and other rules of the source code.
+    /// Checks rules of the source code, such as the layers of the library.
     Tidy,
 }
 
@@ -104,7 +105,7 @@ struct Job {
 #[derive(Args)]
 #[group(multiple = false)]
 struct Bench {
-    /// Counts only this scene of the benchmark and prints its table.
+    /// Draws only this scene of the benchmark and prints its table.
     #[arg(long)]
     scene: Option<String>,
     /// Fails if a picture takes more instructions than its budget.
@@ -170,8 +171,8 @@ fn headless(job: &Job, size: &str, float: bool) -> Result<()> {
     report.result().map(drop)
 }
 
-/// Returns the absolute path of an existing file. Paths on the command line are relative to the
-/// user's folder, but tasks run in the root of the project.
+/// Returns the absolute path of an existing file. The user's path may be relative to the user's
+/// working folder, but tasks run in the root of the project.
 fn existing(path: &str) -> std::io::Result<PathBuf> {
     std::fs::canonicalize(path)
 }

@@ -11,17 +11,17 @@ use crate::qemu::{QEMU, Running};
 
 /// Data register of SPI 1.
 const SPI_1_DATA: u32 = 0x4001_300C;
-/// Bit set/reset register of port A. The lower 16 bits set pins, the upper 16 bits reset pins.
+/// Bit set/reset register of port A. The lower 16 bits set pins. The upper 16 bits reset pins.
 const PORT_A_SET_RESET: u32 = 0x4002_0018;
-/// Number of the pin of port A that is high for display data and low for display commands.
+/// Number of the D/C pin in port A. It is high for display data and low for display commands.
 const DATA_OR_COMMAND: u32 = 4;
 
-/// Runs firmware until it exits and returns the picture on its display.
+/// Runs firmware until it exits. Returns the picture on the display.
 pub fn draw(elf: &Path) -> Result<Picture> {
     let mut qemu = command(QEMU);
     qemu.args(["-machine", "netduinoplus2", "-nodefaults"]);
     qemu.args(["-display", "none", "-semihosting"]);
-    // QEMU prints a line for each write to a register of a peripheral, in order.
+    // With these options, QEMU prints a line for each write to a peripheral register.
     qemu.args(["-trace", "memory_region_ops_write", "-D", "/dev/stdout"]);
     qemu.arg("-kernel").arg(elf);
     let trace = Running::start(qemu)?.finish()?;

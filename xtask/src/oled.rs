@@ -55,7 +55,8 @@ impl Oled {
     /// Starts the firmware and waits for its first picture.
     pub fn start(elf: &Path) -> Result<(Self, Report)> {
         static COUNT: AtomicU32 = AtomicU32::new(0);
-        // The socket is not in the target folder, because its path is limited to about 100 bytes.
+        // The path of a socket must be shorter than about 100 bytes. The path of the target folder
+        // may be too long, so the socket is in the temporary folder.
         let count = COUNT.fetch_add(1, Ordering::Relaxed);
         let socket = env::temp_dir().join(format!("whitted-{}-{count}.qmp", process::id()));
 
@@ -81,8 +82,8 @@ impl Oled {
 
     /// Presses several buttons at once and waits for the next picture.
     ///
-    /// QEMU starts with all buttons down, so the firmware sees the first press of a button when
-    /// the button is released.
+    /// QEMU starts with all buttons down. Therefore, the firmware sees the first press of a button
+    /// only when the button is released.
     pub fn press(&mut self, buttons: &[Button]) -> Result<Report> {
         let keys: Vec<_> = buttons.iter().map(|button| button.key()).collect();
         self.monitor.send_keys(&keys, true)?;
@@ -113,7 +114,7 @@ pub fn draw(elf: &Path, screenshot: Option<&Path>) -> Result<Report> {
 }
 
 /// Draws a scene, or the firmware's own scenes if `scene` is `None`. If `window` is true, shows the
-/// display in a window; otherwise stops after the first picture.
+/// display in a window until QEMU exits. Otherwise, stops after the first picture.
 pub fn run(scene: Option<&Path>, screenshot: Option<&Path>, window: bool) -> Result<()> {
     let elf = LM3S6965EVB.build(scene)?;
     if window {

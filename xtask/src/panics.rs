@@ -1,15 +1,16 @@
-//! Proves by linking that the library cannot panic. The firmware is `tests/rigs/nopanic`.
+//! Proves that the library cannot panic. The firmware `tests/rigs/nopanic` calls the library, and
+//! it links only if no code can panic.
 
 use anyhow::{Context, Result, ensure};
 
 use crate::command::cargo;
 use crate::firmware::{Firmware, PROFILE, V6M, V7EM, V7M};
 
-/// Linker error if any code can panic: the panic handler of the firmware calls an undefined
-/// function.
+/// Linker error if any code can panic. The panic handler of the firmware calls an undefined
+/// function, so the firmware does not link if it needs the panic handler.
 const ERROR: &str = "undefined symbol: something_may_panic";
 
-/// Checks for three instruction sets that the library links without a panic handler.
+/// Checks on three targets that the firmware links, and so that the library cannot panic.
 pub(crate) fn link_all() -> Result<()> {
     [V6M, V7M, V7EM].into_iter().try_for_each(|target| {
         let linked = Firmware::new("nopanic", target).build(None);
@@ -19,7 +20,8 @@ pub(crate) fn link_all() -> Result<()> {
     })
 }
 
-/// Checks that the proof finds a panic: an index that may be out of bounds must not link.
+/// Checks that the proof can fail. The firmware must not link if it contains an index that may be
+/// out of bounds.
 pub(crate) fn link_broken() -> Result<()> {
     let mut broken = cargo();
     broken.args(["build", "--quiet", "--profile", PROFILE, "--target", V7M]);

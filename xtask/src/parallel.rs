@@ -6,8 +6,8 @@ use anyhow::{Context, Result};
 /// Number of emulators that run at the same time.
 const THREADS: usize = 2;
 
-/// Calls a function for each item on two threads. Returns the results in the order of the items,
-/// or, after all items are done, the first error.
+/// Calls a function for each item on two threads. Returns the results in the order of the items. If
+/// calls fail, still handles all other items, and then returns the error of the first failed item.
 pub(crate) fn map<T: Sync, R: Send>(
     items: &[T],
     work: impl Fn(&T) -> Result<R> + Sync,

@@ -21,8 +21,8 @@ const BUDGET: Budget = Budget {
     bless: "cargo xtask pico --bless",
 };
 
-/// Builds the firmware with a scene, runs it, and compares the picture with the host's picture.
-/// Writes the picture to the PNG file `screenshot`, if given.
+/// Builds the firmware with a scene and runs it. Compares its picture with the host's picture. If
+/// the file name `screenshot` is given, writes the picture to this PNG file.
 pub fn draw(scene: &Path, screenshot: Option<&Path>) -> Result<()> {
     let elf = firmware::build(&[scene])?;
     let drawn = emulator::run(&elf, &[])?;
@@ -35,7 +35,8 @@ pub fn draw(scene: &Path, screenshot: Option<&Path>) -> Result<()> {
     }
 }
 
-/// Tests the drawing of scenes, the buttons and USB transfers, and compares cycles with the budget.
+/// Tests whether the firmware draws correctly and handles buttons and USB transfers. Compares the
+/// cycles of the pictures with the budget.
 pub fn check() -> Result<()> {
     firmware::lint()?;
     BUDGET.check(&button_test::run()?)
@@ -46,8 +47,8 @@ pub fn bless() -> Result<()> {
     BUDGET.bless(&button_test::run()?)
 }
 
-/// Builds the firmware as a UF2 file with these scenes, or with the default scenes if the list is
-/// empty.
+/// Builds the firmware as a UF2 file. The firmware contains the given scenes, or the default scenes
+/// if the list is empty.
 pub fn uf2(scenes: &[PathBuf]) -> Result<()> {
     let scenes: Vec<_> = scenes.iter().map(PathBuf::as_path).collect();
     let file = firmware::uf2(&firmware::build(&scenes)?)?;

@@ -1,5 +1,5 @@
-//! Profiles the drawing of a frame. QEMU logs every instruction, and the debug information maps its
-//! address to a function and a line of the library.
+//! Profiles the drawing of a frame. QEMU logs the address of every instruction. The debug
+//! information maps each address to a function and a line of the library.
 
 use std::cmp::Reverse;
 use std::collections::HashMap;
@@ -11,7 +11,8 @@ use crate::core::Core;
 use crate::qemu::{Arithmetic, Machine, Running};
 use crate::symbols::Symbols;
 
-/// Name of the function that the firmware calls when the frame is complete.
+/// Name of the function that the firmware calls after it has drawn the frame. The profile ends at
+/// this call.
 const AFTER_THE_FRAME: &str = "measure::frame::checksum";
 
 /// Number of functions and of lines that are printed.
@@ -29,8 +30,9 @@ pub fn run(scene: &Path, core: Core, size: &str) -> Result<()> {
         .address_of(AFTER_THE_FRAME)
         .with_context(|| format!("the firmware has no function {AFTER_THE_FRAME}"))?;
     let mut qemu = machine.drawing(&elf, &Arithmetic::Fixed.compile(scene)?, size);
-    // QEMU logs blocks of instructions. With these options, a block has one instruction and is
-    // logged each time it runs. QEMU 9.0 renames `-singlestep` to `-accel tcg,one-insn-per-tb=on`.
+    // QEMU logs blocks of instructions. With these options, each block has one instruction, and
+    // QEMU logs the block each time it runs. QEMU 9.0 renames `-singlestep` to
+    // `-accel tcg,one-insn-per-tb=on`.
     qemu.args(["-singlestep", "-d", "exec,nochain", "-D", "/dev/stdout"]);
     let qemu = Running::start(qemu)?;
     let mut counts = HashMap::<u64, u64>::new();
@@ -45,8 +47,8 @@ pub fn run(scene: &Path, core: Core, size: &str) -> Result<()> {
     let (mut functions, mut lines) = (Tally::new(), Tally::new());
     for (address, count) in &counts {
         let frames = symbols.frames(*address)?;
-        // Inlined instructions of the crates `core` and `fixed` count for the calling library
-        // function.
+        // Functions of the crates `core` and `fixed` may be inlined into a function of the library.
+        // Their instructions then count for this library function.
         let function = match frames.iter().find(|frame| frame.is_library()) {
             Some(frame) => {
                 let line = format!("{}:{}", frame.file, frame.line);

@@ -1,4 +1,5 @@
-//! `cargo xtask prove`: the checks of docs/trust.md that take too long for every test run.
+//! Implements `cargo xtask prove`. It runs the checks of docs/trust.md that take too long for
+//! `cargo xtask test`.
 
 mod everywhere;
 mod fuzz;
@@ -49,14 +50,14 @@ fn library_test(arguments: &[&str], variable: Option<(&str, &str)>) -> Result<()
     run_command(test.args(["--", "--nocapture"]).envs(variable))
 }
 
-/// Draws scenes with values at the ends of all ranges, and compares arithmetic with exact integers.
-/// Arithmetic overflow makes these tests panic.
+/// Runs tests that panic on arithmetic overflow. Some tests draw scenes with values at the limits
+/// of all ranges. Other tests compare the library's arithmetic with exact integer arithmetic.
 fn overflow() -> Result<()> {
     library_test(&["--test", "fuzz"], Some(("RUNS", "20000")))?;
     library_test(&["--lib"], None)
 }
 
-/// Draws the scene with the deepest ray tree on the smallest cores, and checks the peak stack size.
+/// Checks the peak stack size on the smallest cores. The scene has the deepest possible ray tree.
 fn bounds() -> Result<()> {
     /// Largest allowed stack size of the firmware with the renderer, in bytes.
     const STACK: u64 = 6 * 1024;

@@ -19,7 +19,7 @@ pub(crate) use running::Running;
 /// Name of QEMU's program for Arm.
 pub(crate) const QEMU: &str = "qemu-system-arm";
 
-/// A board in QEMU. Its firmware reads scenes from the host by semihosting.
+/// A board that QEMU emulates. Its firmware can read files of the host by semihosting.
 #[derive(Clone, Copy, Debug)]
 pub struct Machine {
     name: &'static str,
@@ -39,7 +39,7 @@ impl Machine {
         Self { name, target }
     }
 
-    /// Returns the firmware package in `tests/rigs` with this name, with the target of the board.
+    /// Returns the firmware package with this name in `tests/rigs`, to be built for this board.
     pub fn rig(self, package: &'static str) -> Firmware {
         Firmware::new(package, self.target)
     }
@@ -61,13 +61,14 @@ impl Machine {
 
     /// Returns the QEMU command that draws a scene.
     pub(crate) fn drawing(self, elf: &Path, scene: &Path, size: &str) -> Command {
-        // In options of QEMU, a comma ends a value; a comma in a path must be doubled.
+        // A comma ends a value in the options of QEMU. Therefore, a comma in a path must be
+        // doubled.
         let scene = scene.display().to_string().replace(',', ",,");
         self.with_host(elf, &format!(",arg={size},arg={scene}"))
     }
 
-    /// Returns the QEMU command that runs firmware with semihosting. `arguments` is the firmware's
-    /// command line.
+    /// Returns the QEMU command that runs firmware with semihosting. QEMU passes `arguments` to the
+    /// firmware as its command line.
     fn with_host(self, elf: &Path, arguments: &str) -> Command {
         let mut qemu = firmware_in(self.name, elf);
         qemu.args(["-display", "none", "-chardev", "stdio,id=host"]);
@@ -82,12 +83,12 @@ impl Machine {
 pub enum Arithmetic {
     /// Fixed point, as the library computes.
     Fixed,
-    /// Single-precision floats, as the reference ray tracer in `tests/oracle` computes.
+    /// Single-precision floats. The reference ray tracer in `tests/oracle` computes with them.
     Float,
 }
 
 impl Arithmetic {
-    /// Returns the package of `tests/rigs` that draws with this arithmetic.
+    /// Returns the name of the package in `tests/rigs` that draws with this arithmetic.
     pub fn rig(self) -> &'static str {
         match self {
             Self::Fixed => "headless",
@@ -95,8 +96,8 @@ impl Arithmetic {
         }
     }
 
-    /// Compiles a scene file for the firmware that draws with this arithmetic, and returns the path
-    /// of the result.
+    /// Compiles a scene file for the firmware that draws with this arithmetic. Returns the path of
+    /// the compiled scene.
     pub fn compile(self, scene: &Path) -> Result<PathBuf> {
         let (compiled, extension) = match self {
             Self::Fixed => (whitted_sim::scene_file::compile(scene)?, "bin"),
@@ -107,8 +108,8 @@ impl Arithmetic {
         };
         let name = scene.file_name().unwrap_or_default();
         let file = scratch_dir()?.join(name).with_extension(extension);
-        // Another thread may read the file of an earlier call, so the new file is written under a
-        // temporary name and then replaces the old file in one operation.
+        // Another thread may still read the file of an earlier call. Therefore, the scene is first
+        // written to a temporary file, which then replaces the earlier file in one operation.
         let temporary = file.with_extension(format!("{:?}", thread::current().id()));
         fs::write(&temporary, compiled)?;
         fs::rename(&temporary, &file)?;
@@ -116,8 +117,8 @@ impl Arithmetic {
     }
 }
 
-/// Returns a QEMU command that runs firmware. The emulated clock counts instructions: each takes
-/// one nanosecond.
+/// Returns a QEMU command that runs firmware. Each instruction advances the emulated clock by one
+/// nanosecond.
 pub(crate) fn firmware_in(machine: &str, elf: &Path) -> Command {
     let mut qemu = command(QEMU);
     qemu.args(["-machine", machine, "-icount", "shift=0", "-nodefaults"]);

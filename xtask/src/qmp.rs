@@ -26,8 +26,8 @@ impl Monitor {
     pub(crate) fn screendump(&mut self, file: &Path) -> Result<()> {
         let is_png = file.extension().is_some_and(|extension| extension == "png");
         let format = if is_png { "png" } else { "ppm" };
-        // Formatting with `{:?}` escapes the file name as Rust does, which is valid JSON for usual
-        // names.
+        // `{:?}` writes the file name as a Rust string literal. For usual names, this is also a
+        // valid JSON string.
         self.execute(&format!(
             r#"{{"execute": "screendump", "arguments": {{"filename": {:?}, "format": "{format}"}}}}"#,
             file.display().to_string(),
@@ -48,12 +48,12 @@ impl Monitor {
     }
 
     fn execute(&mut self, command: &str) -> Result<()> {
-        // The command and its newline are sent in one write. QEMU executes a command at its last
-        // bracket and may quit before a separate newline arrives.
+        // The command and its newline are sent in one write. QEMU executes the command when the
+        // last bracket arrives. It may then quit before it receives a newline from a second write.
         let command = format!("{command}\n");
         self.answers.get_mut().write_all(command.as_bytes())?;
         let mut line = String::new();
-        // Skips the greeting and events, which QEMU may send before the answer.
+        // Skips other messages that QEMU may send before the answer: its greeting and events.
         while !line.starts_with(r#"{"return""#) {
             line.clear();
             if self.answers.read_line(&mut line)? == 0 || line.starts_with(r#"{"error""#) {

@@ -15,13 +15,14 @@ const RAM: u64 = 0x2000_0000;
 /// Flash and RAM that firmware takes, in bytes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Usage {
-    /// Flash: vectors, code, constants, and initial values of statics.
+    /// Flash for the interrupt vectors, the code, the constants, and the initial values of statics.
     pub flash: u64,
     /// RAM of statics, without the stack.
     pub ram: u64,
 }
 
-/// Builds the LM3S6965 and headless firmware and prints the flash and RAM that they take.
+/// Builds the LM3S6965 firmware and the headless firmware. Prints how much flash and RAM each
+/// takes.
 pub fn print() -> Result<()> {
     let headless = TARGETS.map(|target| Firmware::new("headless", target));
     for firmware in [LM3S6965EVB].into_iter().chain(headless) {

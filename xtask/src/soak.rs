@@ -1,4 +1,4 @@
-//! Draws long animations in QEMU and compares each frame with the host's frame.
+//! Draws long animations in QEMU and compares each frame with the same frame drawn on the host.
 
 use anyhow::{Context, Result, ensure};
 use embedded_graphics_core::prelude::Size;
@@ -18,8 +18,8 @@ mod scene;
 /// Number of frames in one loop of the animation. The stack must not grow after the first loop.
 const LOOP: u16 = 54;
 
-/// Draws frames on a core and compares their checksums with the host's. Returns the peak stack
-/// in bytes.
+/// Draws frames on a core in QEMU and on the host, and compares the checksums. Returns the peak
+/// stack size on the core in bytes.
 pub fn soak(core: Core, frames: u16) -> Result<u32> {
     let machine = Machine::of(core);
     let firmware = machine.start(&machine.rig("soak").build(None)?)?;

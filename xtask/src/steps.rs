@@ -6,7 +6,8 @@ use anyhow::{Result, bail, ensure};
 pub(crate) type Step = (&'static str, fn() -> Result<()>);
 
 /// Runs the steps whose names contain one of the words, or all steps if there are no words. Prints
-/// a summary. If a step fails, the next steps still run, unless the failed step is `tools`.
+/// a summary. After a failed step, the next steps still run. Only a failure of the step `tools`
+/// ends the run.
 pub(crate) fn run(steps: &[Step], words: &[String]) -> Result<()> {
     let mut selected = steps.to_vec();
     selected.retain(|(name, _)| words.is_empty() || words.iter().any(|word| name.contains(word)));

@@ -1,4 +1,5 @@
-//! Finds the functions and source lines of firmware in its symbol table and debug information.
+//! Maps code addresses of firmware to functions and source lines, by the symbol table and the debug
+//! information.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -20,10 +21,12 @@ pub(crate) struct Symbols {
     functions: Vec<(u64, String)>,
 }
 
-/// A stack frame at a code address: a function, which may be inlined into the next frame.
+/// One of the functions that contain a code address. It may be inlined into the function of the
+/// next frame.
 pub(crate) struct Frame {
     pub(crate) function: String,
-    /// Source file. The path of a project file is relative to the root of the project.
+    /// Path of the source file. If the file belongs to the project, the path is relative to the
+    /// root of the project.
     pub(crate) file: String,
     pub(crate) line: u32,
 }
@@ -50,7 +53,8 @@ impl Symbols {
             .filter(|symbol| symbol.kind() == SymbolKind::Text && symbol.size() > 0)
             .map(|symbol| {
                 let name = demangle_auto(symbol.name().unwrap_or_default().into(), None);
-                // Bit 0 of a symbol's address marks Thumb code and is not part of the address.
+                // Bit 0 of a symbol's address only marks Thumb code. The code itself starts at an
+                // even address.
                 (symbol.address() & !1, name.into_owned())
             })
             .collect();
@@ -63,7 +67,7 @@ impl Symbols {
         })
     }
 
-    /// Returns the frames at a code address, beginning with the innermost inlined function.
+    /// Returns the functions that contain a code address. The innermost inlined function is first.
     pub(crate) fn frames(&self, address: u64) -> Result<Vec<Frame>> {
         let invalid = |error| anyhow!("debug information: {error}");
         let root = format!("{}/", root().display());
@@ -84,7 +88,7 @@ impl Symbols {
         Ok(found)
     }
 
-    /// Returns the name of the function at a code address, from the symbol table.
+    /// Finds a code address in the symbol table and returns the name of the function.
     pub(crate) fn symbol(&self, address: u64) -> &str {
         let next = self
             .functions
@@ -101,8 +105,9 @@ impl Symbols {
         functions.find_map(|(start, name)| (name == function).then_some(*start))
     }
 
-    /// Returns the bytes of library code in the firmware by source file, including inlined code. An
-    /// instruction counts for the file of the outermost library function among its frames.
+    /// Returns the size of the library code in the firmware for each source file, in bytes. If an
+    /// instruction belongs to several inlined library functions, it counts for the file of the
+    /// outermost one.
     pub(crate) fn library_sizes(&self) -> Result<BTreeMap<String, u64>> {
         /// Size of the shortest Thumb instruction, in bytes.
         const STEP: u64 = 2;

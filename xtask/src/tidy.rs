@@ -1,4 +1,4 @@
-//! Checks rules of the source code for which Clippy has no lints.
+//! Checks rules of the source code that Clippy cannot check.
 
 mod callers;
 mod cycles;
@@ -62,6 +62,6 @@ fn committed_files() -> Result<Vec<PathBuf>> {
     ensure!(output.status.success(), "git failed: {errors}");
     let list = String::from_utf8(output.stdout)?;
     let files = list.split_terminator('\0').map(PathBuf::from);
-    // Leaves out deleted files, which Git lists until the deletion is committed.
+    // Git still lists deleted files until their deletion is committed. Leaves out these files.
     Ok(files.filter(|path| root().join(path).is_file()).collect())
 }

@@ -7,17 +7,17 @@ use anyhow::{Context, Result, bail};
 use crate::command::{cargo, command, run, works};
 use crate::qemu::QEMU;
 
-/// For each program: a command that succeeds if it is installed, and the Debian packages that
-/// contain it.
+/// Lists the needed programs. Each entry has a command that succeeds if the program is installed,
+/// and the Debian packages to install otherwise.
 const PROGRAMS: [([&str; 2], &[&str]); 3] = [
     ([QEMU, "--version"], &["qemu-system-arm"]),
     (["sdl2-config", "--version"], &["libsdl2-dev"]),
     (["xvfb-run", "--help"], &["xvfb", "xauth"]),
 ];
 
-/// Installs the programs that `cargo xtask test` needs. If that is impossible, returns an error
-/// with the command to run. Rust targets and components are not included: rustup installs those in
-/// rust-toolchain.toml.
+/// Installs the programs that `cargo xtask test` needs. If it cannot install a program, returns an
+/// error with the command to run. Does not install Rust targets and components, because rustup
+/// installs those that are listed in rust-toolchain.toml.
 pub(crate) fn install() -> Result<()> {
     let mut programs = PROGRAMS.iter();
     programs.try_for_each(|(program, packages)| install_program(*program, packages))
@@ -28,7 +28,7 @@ pub(crate) fn install_npm() -> Result<()> {
     install_program(["npm", "--version"], &["nodejs", "npm"])
 }
 
-/// Installs flip-link if it is missing. This linker, which boards use, places the stack below the
+/// Installs the linker flip-link if it is missing. Boards use it to place the stack below the
 /// statics.
 pub(crate) fn install_flip_link() -> Result<()> {
     let path = env::var_os("PATH").unwrap_or_default();
@@ -40,8 +40,8 @@ pub(crate) fn install_flip_link() -> Result<()> {
         .context("flip-link is missing; run `cargo install --locked flip-link`")
 }
 
-/// Checks that a program is installed, by running it with `--version`. If it is missing, returns an
-/// error with the command to install it.
+/// Runs a program with `--version` to check that it is installed. If the program is missing,
+/// returns an error with the command that installs it.
 pub(crate) fn require(program: &[&str], install: &str) -> Result<()> {
     let [name, arguments @ ..] = program else {
         return Ok(());
@@ -52,8 +52,8 @@ pub(crate) fn require(program: &[&str], install: &str) -> Result<()> {
     bail!("{} is missing; run `{install}`", program.join(" "))
 }
 
-/// Installs the packages of a missing program if this process is root on Debian. Otherwise returns
-/// an error with the names of the packages.
+/// Installs the packages of a program if the program is missing. This is only possible if the
+/// process runs as root on Debian. Otherwise, returns an error with the names of the packages.
 fn install_program([program, argument]: [&str; 2], packages: &[&str]) -> Result<()> {
     if works(command(program).arg(argument)) {
         return Ok(());

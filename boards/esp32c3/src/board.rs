@@ -15,13 +15,15 @@ use esp_hal::timer::timg::{MwdtStage, TimerGroup, Wdt};
 use mipidsi::options::{ColorInversion, Orientation, Rotation};
 use mipidsi::{Builder, interface::SpiInterface, models::ST7789};
 
-// The second-stage bootloader requires an application descriptor.
+// The second-stage bootloader requires that the program contains this application
+// descriptor.
 esp_bootloader_esp_idf::esp_app_desc!();
 
 /// The initialized display and watchdog of the board.
 pub(crate) struct Board<D> {
     pub(crate) display: D,
-    /// Resets the chip if the firmware does not feed the watchdog for four seconds.
+    /// Watchdog timer. It resets the chip if the firmware does not feed it for four
+    /// seconds.
     pub(crate) watchdog: Wdt<TIMG0<'static>>,
 }
 

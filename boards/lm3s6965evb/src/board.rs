@@ -9,13 +9,13 @@ use crate::register::Registers;
 use crate::ssd0323::{Pixels, Ssd0323};
 use crate::uart::Uart;
 
-/// Period of the system clock. In QEMU, the clock runs at 12.5 MHz after reset.
+/// Period of the system clock in QEMU, where the clock runs at 12.5 MHz after reset.
 ///
 /// The real chip starts from its internal oscillator, at 12 MHz ± 30 %.
 const NANOSECONDS_PER_CLOCK: u32 = 80;
 
-// SAFETY: the peripheral addresses are from the data sheet. Only one driver uses each
-// peripheral, except `UART_0`, which the panic handler also uses.
+// SAFETY: the addresses of the peripherals are from the data sheet. Each peripheral has
+// only one driver. The panic handler also uses `UART_0`, but it never returns.
 const SYSTEM_CONTROL: Registers = unsafe { Registers::at(0x400F_E000) };
 const PORT_A: Port = Port::new(unsafe { Registers::at(0x4000_4000) });
 const PORT_C: Port = Port::new(unsafe { Registers::at(0x4000_6000) });
@@ -42,7 +42,7 @@ impl Board {
         // Enable the clocks of SSI 0, UART 0, and GPIO ports A and C to F.
         SYSTEM_CONTROL.set(CLOCK_GATES_1, 1 << 4 | 1);
         SYSTEM_CONTROL.set(CLOCK_GATES_2, 0b11_1101);
-        // A peripheral is accessible three cycles after its clock is enabled.
+        // A peripheral can be accessed three cycles after its clock is enabled.
         cortex_m::asm::delay(8);
 
         // UART 0 uses PA0 and PA1. SSI 0 has its clock, chip select and output on PA2, PA3
@@ -71,7 +71,8 @@ impl Board {
 
 /// Returns the UART for the panic handler.
 ///
-/// The panic handler never returns, so no other code uses the UART afterwards.
+/// No other code uses the UART after the panic handler, because the panic handler never
+/// returns.
 pub(crate) fn panic_uart() -> Uart {
     Uart::new(UART_0)
 }

@@ -15,22 +15,22 @@ pub(crate) enum Button {
 
 /// Driver of the arrow buttons and the select button.
 ///
-/// The GPIO ports latch a press, so no press is lost while a line is traced. The port
-/// interrupts wake the core from sleep. Interrupts are disabled globally, so no interrupt
-/// handler runs.
+/// The GPIO ports remember a press until the driver reads it, so no press is lost while the
+/// firmware traces a line. The interrupts of the ports wake the core from sleep. The driver
+/// disables interrupts globally, so that no interrupt handler runs.
 pub(crate) struct Buttons {
     arrows: Inputs,
     select: Inputs,
 }
 
 impl Buttons {
-    /// Creates the driver. The arrow buttons are at pins 0 to 3 of `arrows`, the select
+    /// Creates the driver. The arrow buttons are at pins 0 to 3 of `arrows`. The select
     /// button is at pin 1 of `select`.
     pub(crate) fn new(arrows: Inputs, select: Inputs) -> Self {
         cortex_m::interrupt::disable();
         for port in [Interrupt::PortE, Interrupt::PortF] {
-            // SAFETY: interrupts are disabled globally, so no handler runs and no critical
-            // section is broken.
+            // SAFETY: interrupts are disabled globally. Unmasking one therefore runs no
+            // interrupt handler and interrupts no critical section.
             unsafe { NVIC::unmask(port) };
         }
         Self { arrows, select }
@@ -51,7 +51,8 @@ impl Buttons {
             if let Some(button) = self.take_press() {
                 return button;
             }
-            // A pin change that is already latched does not wake the core again.
+            // Do not sleep if a port has already latched a pin change, because that change
+            // does not wake the core again.
             if !self.arrows.has_changes() && !self.select.has_changes() {
                 cortex_m::asm::wfi();
                 NVIC::unpend(Interrupt::PortE);

@@ -26,7 +26,8 @@ impl Port {
         Self(registers)
     }
 
-    /// Connects the pins in the bit mask `pins` to their peripherals.
+    /// Assigns the pins in the bit mask `pins` to the peripherals that share these pins,
+    /// such as the UART.
     pub(crate) fn set_alternate_function(self, pins: u32) {
         self.0.set(ALTERNATE_FUNCTION, pins);
         self.0.set(DIGITAL_ENABLE, pins);
@@ -40,8 +41,8 @@ impl Port {
         Output { port: self.0, mask }
     }
 
-    /// Configures the pins in the bit mask `pins` as inputs with pull-ups, for buttons to
-    /// ground.
+    /// Configures the pins in the bit mask `pins` as inputs with pull-ups. The buttons must
+    /// connect these pins to ground.
     pub(crate) fn button_inputs(self, pins: u32) -> Inputs {
         self.0.set(PULL_UP, pins);
         self.0.set(DIGITAL_ENABLE, pins);
@@ -57,7 +58,8 @@ impl Port {
     }
 }
 
-/// Input pins of a port, for buttons to ground. The port latches each change of a pin.
+/// Input pins of a port, for buttons that connect the pins to ground. The port latches each
+/// change of a pin, so that the firmware can read the change later.
 pub(crate) struct Inputs {
     port: Registers,
     /// Mask of the pins that were low at startup and have not changed since. In QEMU, all
@@ -102,8 +104,8 @@ pub(crate) struct Output {
 impl Output {
     /// Sets the pin level.
     ///
-    /// Bits 2 to 9 of the address of a data register access select the pins that a write
-    /// changes. The outputs of a port are therefore independent.
+    /// The data register has many addresses. Bits 2 to 9 of the address select the pins
+    /// that a write changes. The other pins of the port keep their levels.
     fn drive(&mut self, levels: u32) {
         self.port.write((self.mask << 2) as usize, levels);
     }

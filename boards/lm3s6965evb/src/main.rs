@@ -1,7 +1,8 @@
 //! Draws scenes on the OLED of the LM3S6965 evaluation board.
 //!
 //! The arrow buttons orbit the camera around its target. The select button shows the next
-//! scene. The build script compiles the scenes on the host into flash.
+//! scene. The build script compiles the scene files on the host. The firmware contains the
+//! compiled scenes.
 
 #![no_std]
 #![no_main]
@@ -26,8 +27,9 @@ use whitted::{DecodeError, PreparedScene, Real, Renderer};
 use board::Board;
 use buttons::Button;
 
-// The included file defines `static SCENES: [&[u8]; N]`, the compiled scenes, and
-// `const COUNTS`, the buffer capacity that fits each of these scenes.
+// The included file defines two items. `static SCENES: [&[u8]; N]` is a list of compiled
+// scenes. `const COUNTS` is a buffer capacity that is large enough for each of these
+// scenes.
 include!(concat!(env!("OUT_DIR"), "/scenes.rs"));
 
 /// Orbit angle per button press, in degrees.
@@ -35,7 +37,7 @@ const ORBIT_STEP: Real = Real::lit("15");
 
 #[entry]
 fn main() -> ! {
-    // Memory for the prepared scene, and the framebuffer of the display driver.
+    // `BUFFER` holds the prepared scene. `PIXELS` is the framebuffer of the display driver.
     static mut BUFFER: whitted::scene_buffer!(COUNTS) = <whitted::scene_buffer!(COUNTS)>::new();
     static mut PIXELS: ssd0323::Pixels = ssd0323::BLACK;
 
@@ -68,12 +70,13 @@ fn show(scene: &mut PreparedScene<'_>, board: &mut Board) {
 #[inline(never)] // keeps the locals of `orbit` off the stack while a picture is drawn
 fn orbit(scene: &mut PreparedScene<'_>, yaw: Real, pitch: Real) {
     let camera = scene.camera().orbited(yaw, pitch);
-    // The error is ignored: if the new position is invalid, the camera stays where it is.
+    // If the new position is invalid, `set_camera` returns an error and the camera does not
+    // move.
     _ = scene.set_camera(&camera);
 }
 
-/// Draws a picture in progressive order. Returns the first button that is pressed, during
-/// or after drawing.
+/// Draws a picture in progressive order. Returns the first button that the user presses,
+/// either while the picture is drawn or afterwards.
 ///
 /// After the last pass, the function traces the picture again for its checksum and prints a
 /// report on the UART.

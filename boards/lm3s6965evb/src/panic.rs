@@ -1,7 +1,7 @@
 //! Panic handler, which prints the file and line of the panic on the UART.
 //!
-//! The handler omits the panic message, because the code to format it would be larger than
-//! the ray tracer.
+//! The handler does not print the panic message. The code that formats panic messages would
+//! be larger than the ray tracer.
 
 use core::fmt::Write;
 use core::panic::PanicInfo;

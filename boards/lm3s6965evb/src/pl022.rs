@@ -23,7 +23,7 @@ pub(crate) struct Pl022(Registers);
 impl Pl022 {
     /// Initializes the SPI in mode 0. The most significant bit is sent first.
     ///
-    /// The SPI clock is the system clock divided by `divisor`, which must be even.
+    /// The SPI clock is the system clock divided by `divisor`. The divisor must be even.
     pub(crate) fn new(registers: Registers, divisor: u8) -> Self {
         registers.write(CONTROL_1, 0);
         registers.write(CONTROL_0, EIGHT_BITS);
@@ -34,8 +34,9 @@ impl Pl022 {
 
     /// Sends a byte and returns the received byte.
     ///
-    /// The transfer is complete when this function returns. The caller may then change the
-    /// D/C pin, and the receive FIFO never overflows.
+    /// This function returns after the transfer is complete, so that the caller may change
+    /// the D/C pin at once. The function reads every received byte, so the receive FIFO
+    /// never overflows.
     fn exchange(&mut self, byte: u8) -> u8 {
         self.0.write(DATA, u32::from(byte));
         while self.0.read(STATUS) & RECEIVED == 0 {}
@@ -74,7 +75,8 @@ impl SpiDevice for Pl022 {
                         *byte = self.exchange(*byte);
                     }
                 }
-                // One cycle is 83 ns at 12 MHz. The delay may be longer than requested.
+                // One clock cycle takes 83 ns at 12 MHz. A delay may be longer than
+                // requested.
                 Operation::DelayNs(nanoseconds) => cortex_m::asm::delay(*nanoseconds / 83 + 1),
             }
         }

@@ -7,21 +7,21 @@ impl Registers {
     ///
     /// # Safety
     ///
-    /// `base` must be the address of a peripheral, and no other code may use the registers
-    /// that are accessed through this handle.
+    /// `base` must be the address of a peripheral. No other code may use the registers that
+    /// this handle reads or writes.
     pub(crate) const unsafe fn at(base: usize) -> Self {
         Self(base)
     }
 
     /// Reads the register at `offset`.
     pub(crate) fn read(self, offset: usize) -> u32 {
-        // SAFETY: the caller of `at` guarantees that the address is a register.
+        // SAFETY: the caller of `at` guarantees that a register is at this address.
         unsafe { core::ptr::with_exposed_provenance::<u32>(self.0 + offset).read_volatile() }
     }
 
     /// Writes the register at `offset`.
     pub(crate) fn write(self, offset: usize, value: u32) {
-        // SAFETY: the caller of `at` guarantees that the address is a register.
+        // SAFETY: the caller of `at` guarantees that a register is at this address.
         unsafe {
             core::ptr::with_exposed_provenance_mut::<u32>(self.0 + offset).write_volatile(value)
         }

@@ -5,7 +5,8 @@ use embedded_hal::{digital::OutputPin, spi::SpiDevice};
 
 const WIDTH: usize = 128;
 const HEIGHT: usize = 64;
-/// Bytes per row. Two pixels share a byte: the left pixel is in the high nibble.
+/// Number of bytes per row. A byte holds two pixels, with the left pixel in the high
+/// nibble.
 const ROW_BYTES: usize = WIDTH / 2;
 
 /// Framebuffer in the pixel format of the SSD0323, row by row.
@@ -14,7 +15,7 @@ pub(crate) type Pixels = [u8; ROW_BYTES * HEIGHT];
 /// Black framebuffer.
 pub(crate) const BLACK: Pixels = [0; ROW_BYTES * HEIGHT];
 
-/// Commands that initialize a 128x64 panel. The display stays off.
+/// Commands that initialize a 128x64 panel. They leave the display switched off.
 const INIT: &[u8] = &[
     0xAE, // display off
     0x81, 50,   // contrast: 50 of 127
@@ -39,9 +40,9 @@ const SET_ROWS: u8 = 0x75;
 
 /// Driver of a 128x64 OLED with 16 gray levels and a Solomon SSD0323 controller.
 ///
-/// The driver sends each drawn area immediately, as one window and one burst. Two pixels
-/// share a byte of the controller memory, which cannot be read back, so the driver keeps a
-/// framebuffer.
+/// The driver sends each drawn area immediately. It selects the area as the window of the
+/// display and sends the pixels. Two pixels share a byte of the controller memory. The
+/// driver cannot read such a byte back to change one pixel, so it keeps a framebuffer.
 pub(crate) struct Ssd0323<'p, SPI, DC> {
     spi: SPI,
     /// D/C pin: low for commands, high for data.
@@ -85,7 +86,8 @@ where
         }
     }
 
-    /// Sends an area of the framebuffer. The area must be inside the display.
+    /// Sends an area of the framebuffer to the display. The area must be inside the
+    /// display.
     fn send(&mut self, area: &Rectangle) -> Result<(), SPI::Error> {
         let Some(bottom_right) = area.bottom_right() else {
             return Ok(());
@@ -123,7 +125,8 @@ where
     type Color = Gray4;
     type Error = SPI::Error;
 
-    /// Draws the pixels into the framebuffer and sends their bounding box.
+    /// Draws the pixels into the framebuffer and sends the bounding box of these pixels to
+    /// the display.
     fn draw_iter<I>(&mut self, pixels: I) -> Result<(), SPI::Error>
     where
         I: IntoIterator<Item = Pixel<Gray4>>,

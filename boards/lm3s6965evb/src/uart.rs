@@ -13,7 +13,8 @@ const TRANSMIT_FULL: u32 = 1 << 5;
 const EIGHT_BITS_WITH_FIFO: u32 = 0x70;
 const ENABLE_TRANSMIT: u32 = 1 << 8 | 1;
 
-/// Transmit-only driver of the Arm PL011: 115,200 baud, 8 data bits, no parity, 1 stop bit.
+/// Driver that sends text through an Arm PL011 UART. The UART uses 115,200 baud, 8 data
+/// bits, no parity and 1 stop bit.
 pub(crate) struct Uart(Registers);
 
 impl Uart {

@@ -9,7 +9,8 @@ use embedded_hal_bus::spi::{ExclusiveDevice, NoDelay};
 use mipidsi::options::{ColorOrder, Orientation, Rotation};
 use mipidsi::{Builder, interface::SpiInterface, models::ILI9341Rgb565};
 
-/// SPI device of the display. It sends by DMA, in blocking or asynchronous transfers.
+/// SPI device that the display is connected to. It sends data by DMA. The caller can wait
+/// for a transfer in blocking or async code.
 type Device = ExclusiveDevice<Spim<'static>, Output<'static>, NoDelay>;
 
 /// The display with its blocking driver.
@@ -23,7 +24,8 @@ bind_interrupts!(struct Interrupts {
 /// The initialized display and watchdog of the board.
 pub(crate) struct Board<'l> {
     pub(crate) display: Display<'l>,
-    /// Resets the chip if the firmware does not feed the watchdog for four seconds.
+    /// Watchdog timer. It resets the chip if the firmware does not feed it for four
+    /// seconds.
     pub(crate) watchdog: WatchdogHandle,
 }
 
@@ -33,8 +35,8 @@ pub(crate) struct Board<'l> {
 pub(crate) fn init(line: &mut [u8]) -> Board<'_> {
     let chip = embassy_nrf::init(embassy_nrf::config::Config::default());
 
-    // The display is wired to pins D8 to D11 and D13 of the nRF52840-DK, as on Arduino
-    // display shields.
+    // The display is wired to the header pins D8 to D11 and D13 of the nRF52840-DK. Arduino
+    // display shields use the same pins.
     let drive = OutputDrive::Standard;
     let reset = Output::new(chip.P1_10, Level::High, drive);
     let data_or_command = Output::new(chip.P1_11, Level::Low, drive);

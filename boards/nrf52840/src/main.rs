@@ -1,7 +1,8 @@
 //! Draws a scene on an ILI9341 display of 320x240 pixels, on an nRF52840.
 //!
 //! The firmware traces each line while DMA sends the previous line. The build script
-//! compiles the scene on the host into flash. `board.rs` initializes the hardware.
+//! compiles the scene file on the host. The firmware contains the compiled scene.
+//! `board.rs` initializes the hardware.
 
 #![no_std]
 #![no_main]
@@ -66,8 +67,8 @@ async fn main(_spawner: Spawner) {
     }
 }
 
-/// Draws a preview: the first pass of progressive order, in blocks of 16 pixels. The
-/// preview takes 1/256 of the work of the picture.
+/// Draws a preview in blocks of 16x16 pixels, which is the first pass of progressive order.
+/// The preview takes 1/256 of the work of the whole picture.
 fn draw_preview(renderer: &mut Renderer<'_>, display: &mut Display<'_>) {
     let mut progress = RenderProgress::progressive(display.bounding_box());
     if renderer.step(&mut progress, Step::Pass, display).is_err() {
@@ -81,14 +82,14 @@ async fn draw_lines(
     mut display: Display<'_>,
     watchdog: &mut WatchdogHandle,
 ) {
-    // Select the whole display as the window and start a pixel transfer. After that, all
-    // lines are sent without the blocking driver.
+    // Select the whole display as the window and start a pixel transfer. After that, this
+    // function sends all lines directly to the SPI device, without the blocking driver.
     let window = display.set_pixels(0, 0, WIDTH - 1, HEIGHT - 1, core::iter::empty());
     if window.is_err() {
         defmt::panic!("display error");
     }
-    // The variables keep the reset and D/C pins alive, so that both pins hold their levels
-    // until the end of the function.
+    // The variables `_reset` and `_data_or_command` own the reset and D/C pins. The two
+    // pins therefore hold their levels until the end of this function.
     let (interface, _, _reset) = display.release();
     let (mut device, _data_or_command) = interface.release();
 
@@ -97,7 +98,8 @@ async fn draw_lines(
     for next in 1..=u32::from(HEIGHT) {
         swap(&mut sent, &mut traced);
         // `join` polls `write` first, which starts the DMA transfer. While the transfer
-        // runs, `join` traces the next line. The line after the bottom line is empty.
+        // runs, `join` traces the next line. In the last iteration, `next` is below the
+        // display, so the traced line is empty and is never sent.
         let trace = async { trace_line(renderer, next, &mut traced) };
         let (result, ()) = join(device.write(&sent), trace).await;
         if result.is_err() {

@@ -19,7 +19,7 @@ use crate::pins::{self, LcdClock, LcdData, LcdSpi, Pins};
 use crate::scenes::Buffer;
 use crate::usb::{self, SceneReceiver};
 
-/// Second-stage bootloader, which maps the flash of the Pico into memory.
+/// Second-stage bootloader. It maps the flash of the Pico into the address space.
 #[unsafe(link_section = ".boot2")]
 #[used]
 static BOOT2: [u8; 256] = rp2040_boot2::BOOT_LOADER_W25Q080;
@@ -27,7 +27,7 @@ static BOOT2: [u8; 256] = rp2040_boot2::BOOT_LOADER_W25Q080;
 /// Frequency of the crystal. The core runs at 125 MHz.
 const CRYSTAL_HZ: u32 = 12_000_000;
 
-/// Transfer buffer of the display driver: one line of 16-bit pixels.
+/// Transfer buffer of the display driver. It holds one line of 16-bit pixels.
 pub(crate) type LineBuffer = [u8; 2 * pins::LCD_SIZE.0 as usize];
 
 type Output = Pin<DynPinId, FunctionSioOutput, PullDown>;
@@ -35,7 +35,8 @@ type Input = Pin<DynPinId, FunctionSioInput, PullUp>;
 type Bus = Spi<Enabled, LcdSpi, (LcdData, LcdClock)>;
 type Interface = SpiInterface<'static, ExclusiveDevice<Bus, Output, NoDelay>, Output>;
 
-/// Display on the SPI bus. SPI transfers are write-only and cannot fail.
+/// Display on the SPI bus. The firmware only writes to the display, and an SPI write cannot
+/// fail.
 pub(crate) type Display = mipidsi::Display<Interface, ST7789, Output>;
 
 /// User input.
@@ -50,13 +51,15 @@ pub(crate) enum Event {
 /// Peripherals of the board that the firmware uses.
 pub(crate) struct Board {
     pub(crate) display: Display,
-    /// Resets the board if the firmware does not feed the watchdog for two seconds.
+    /// Watchdog timer. It resets the board if the firmware does not feed it for two
+    /// seconds.
     watchdog: Watchdog,
     /// LED that is on while a picture is drawn.
     pub(crate) led: Output,
     buttons: Buttons<Input>,
     timer: Timer,
-    /// Memory to validate a received scene while another scene is drawn.
+    /// Memory that the firmware needs to validate a received scene while it draws another
+    /// scene.
     validation_buffer: &'static mut Buffer,
 }
 
@@ -155,7 +158,7 @@ impl Board {
 
     /// Waits for user input and returns it.
     ///
-    /// The buttons are polled every 10 ms. They bounce for less time than that.
+    /// The function polls the buttons every 10 ms. A button bounces for less than 10 ms.
     pub(crate) fn wait(&mut self) -> Event {
         loop {
             self.timer.delay_ms(10);

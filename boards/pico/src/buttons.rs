@@ -12,7 +12,7 @@ pub(crate) enum Button {
     Next,
 }
 
-/// Driver for buttons that connect their pins to ground when they are pressed.
+/// Driver for the buttons. A pressed button connects its pin to ground.
 pub(crate) struct Buttons<P> {
     buttons: [(Button, P); 5],
     /// Button that was pressed at the last poll.

@@ -1,7 +1,8 @@
 //! Draws scenes on an ST7789 display of 240x240 pixels, on a Raspberry Pi Pico.
 //!
-//! The build script compiles the scenes on the host into flash. More scenes can be sent over
-//! USB. The joystick orbits the camera around its target. A button shows the next scene.
+//! The build script compiles the scene files on the host. The firmware contains the
+//! compiled scenes and receives more scenes over USB. The joystick orbits the camera around
+//! its target. A button shows the next scene.
 
 #![no_std]
 #![no_main]
@@ -75,7 +76,8 @@ fn show_scene(scene: &mut PreparedScene<'_>, board: &mut Board) -> Event {
     }
 }
 
-/// Draws a picture in progressive order. On user input, stops and returns the event.
+/// Draws a picture in progressive order. On user input, this function stops drawing and
+/// returns the input event.
 fn draw(scene: &PreparedScene<'_>, board: &mut Board) -> Option<Event> {
     let mut renderer = Renderer::new(scene, board.display.size());
     let mut progress = RenderProgress::progressive(board.display.bounding_box());

@@ -1,7 +1,8 @@
-//! Pins and display settings: all hardware configuration of the board.
+//! Defines the pins and the display settings of the board.
 //!
 //! The values are for the Waveshare Pico-LCD-1.3 hat. README.md lists the pins in a table.
-//! For another ST7789 display or other buttons to ground, change these values.
+//! Change these values for another ST7789 display or for other buttons. The buttons must
+//! connect their pins to ground.
 
 use mipidsi::options::{ColorInversion, Orientation, Rotation};
 use rp2040_hal::pac;
@@ -16,10 +17,10 @@ pub(crate) const LCD_INVERSION: ColorInversion = ColorInversion::Inverted;
 /// slower clock, for example 15.625 MHz.
 pub(crate) const LCD_HZ: u32 = 31_250_000;
 
-/// SPI peripheral that the clock and data pins of the display belong to.
+/// SPI peripheral that drives the clock and data pins of the display.
 pub(crate) type LcdSpi = pac::SPI1;
 
-/// Takes the [`LcdSpi`] peripheral out of `$peripherals`, the peripherals of the chip.
+/// Moves the peripheral [`LcdSpi`] out of `$peripherals`, the struct with all peripherals.
 macro_rules! lcd_spi {
     ($peripherals:expr) => {
         $peripherals.SPI1

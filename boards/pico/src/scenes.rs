@@ -5,8 +5,8 @@ use whitted::scene::SceneCounts;
 
 use crate::usb;
 
-// The included file defines `SCENES`, the compiled scenes, and `COUNTS`, the capacity that
-// fits each of these scenes.
+// The included file defines two items. `SCENES` is a list of compiled scenes. `COUNTS` is a
+// buffer capacity that is large enough for each of these scenes.
 include!(concat!(env!("OUT_DIR"), "/scenes.rs"));
 
 /// Largest number of objects, lights and materials in a scene received over USB.
@@ -31,8 +31,8 @@ impl Scenes {
         }
     }
 
-    /// Returns a compiled scene. Indices after the scenes in flash select the scene that
-    /// was received over USB.
+    /// Returns the compiled scene at `index`. An index after the last scene in flash
+    /// returns the scene that was received over USB.
     pub(crate) fn get(&self, index: usize) -> &[u8] {
         SCENES.get(index).copied().unwrap_or(&self.received)
     }
@@ -44,12 +44,13 @@ impl Scenes {
 
     /// Moves the scene from the USB receiver to the end of the list and returns its index.
     ///
-    /// The new scene overwrites the previously received scene. No prepared scene may borrow
-    /// the overwritten scene.
+    /// The new scene overwrites the previously received scene. No prepared scene may still
+    /// borrow the previous scene.
     pub(crate) fn store_received(&mut self) -> usize {
         usb::take(|scene| {
             self.received.clear();
-            // `received` has the capacity of the USB receiver, so the scene always fits.
+            // The list `received` has the capacity of the USB receiver, so every received
+            // scene fits into it.
             _ = self.received.extend_from_slice(scene);
         });
         SCENES.len()

@@ -1,8 +1,8 @@
 //! Receives scenes over USB. The host sees the board as a serial port (CDC ACM).
 //!
-//! Tracing a line may take longer than the USB timeouts of the host, so an interrupt
-//! handler serves the USB connection. The main loop processes received scenes between
-//! lines.
+//! The firmware may take longer to trace a line than the USB timeouts of the host allow. An
+//! interrupt handler therefore serves the USB connection. The main loop processes received
+//! scenes between lines.
 
 use core::cell::RefCell;
 use core::fmt::{self, Write};
@@ -19,13 +19,14 @@ use usb_device::device::{StringDescriptors, UsbDevice, UsbDeviceBuilder, UsbVidP
 use usbd_serial::{SerialPort, USB_CLASS_CDC};
 use whitted::DecodeError;
 
-/// Capacity of the receiver in bytes, for a scene with its ticket and checksum.
+/// Capacity of the USB receiver in bytes. A scene must fit together with its ticket and
+/// checksum.
 pub(crate) const CAPACITY: usize = 16 * 1024;
 
 /// Time without data after which a transfer is aborted.
 const TIMEOUT: MicrosDurationU64 = MicrosDurationU64::secs(1);
 
-/// USB vendor and product ID that CDC ACM serial ports may share.
+/// USB vendor ID and product ID. Every CDC ACM serial port may use these two IDs.
 const VENDOR_PRODUCT: UsbVidPid = UsbVidPid(0x16C0, 0x27DD);
 
 /// State of the USB connection. The interrupt handler and the main loop share it.
@@ -44,7 +45,8 @@ struct Link {
 /// Receiver that decodes scenes sent over USB.
 pub(crate) type SceneReceiver = Receiver<CAPACITY>;
 
-/// USB serial port. Its transmit buffer of 256 bytes fits the longest answer.
+/// USB serial port. Its transmit buffer of 256 bytes is large enough for the longest
+/// answer.
 type Port = SerialPort<'static, UsbBus, [u8; 128], [u8; 256]>;
 
 /// Starts the USB device. Must be called only once.
@@ -69,7 +71,8 @@ pub(crate) fn start(bus: UsbBus, receiver: &'static mut SceneReceiver, timer: Ti
         last_received: timer.get_counter(),
     };
     critical_section::with(|cs| LINK.replace(cs, Some(link)));
-    // SAFETY: no critical section relies on this interrupt being masked.
+    // SAFETY: no critical section masks this interrupt in the NVIC, so unmasking it here is
+    // sound.
     unsafe { cortex_m::peripheral::NVIC::unmask(pac::Interrupt::USBCTRL_IRQ) }
 }
 
@@ -104,7 +107,7 @@ fn with_link<R>(act: impl FnOnce(&mut Link) -> R) -> Option<R> {
 }
 
 impl Link {
-    /// Serves the USB device and passes received bytes to the receiver.
+    /// Handles pending USB events and passes the received bytes to the receiver.
     fn poll(&mut self) {
         if !self.device.poll(&mut [&mut self.port]) {
             return;
@@ -120,8 +123,9 @@ impl Link {
         }
     }
 
-    /// Checks a complete message with `check` and sends the answer, or aborts a stalled
-    /// transfer. Returns true if the message has a valid scene.
+    /// If a message is complete, checks its scene with `check` and sends the answer to the
+    /// host. If a transfer has stalled, aborts it. Returns true if a message with a valid
+    /// scene arrived.
     fn process(&mut self, check: impl FnOnce(&[u8]) -> Result<(), DecodeError>) -> bool {
         let Some(Message { ticket, scene }) = self.receiver.message() else {
             let silence = self.timer.get_counter() - self.last_received;
@@ -143,8 +147,8 @@ impl Link {
         checked.is_ok()
     }
 
-    /// Sends an answer to the host. If the host does not read, text that exceeds the
-    /// transmit buffer is lost.
+    /// Sends an answer to the host. If the host does not read its answers, text that does
+    /// not fit into the transmit buffer is lost.
     fn answer(&mut self, answer: Answer<impl fmt::Display>) {
         _ = writeln!(TextOutput(&mut self.port), "{answer}");
     }

@@ -13,7 +13,7 @@ use rp235x_hal::fugit::{ExtU32, RateExtU32};
 use rp235x_hal::gpio::{FunctionSpi, Pins};
 use rp235x_hal::{Clock, Sio, Spi, Timer, Watchdog, pac};
 
-/// Image definition block. The boot ROM only starts programs that contain such a block.
+/// Image definition block. The boot ROM starts only programs that contain such a block.
 #[unsafe(link_section = ".start_block")]
 #[used]
 static IMAGE_DEF: ImageDef = ImageDef::secure_exe();
@@ -24,7 +24,8 @@ const CRYSTAL_HZ: u32 = 12_000_000;
 /// The initialized display and watchdog of the board.
 pub(crate) struct Board<D> {
     pub(crate) display: D,
-    /// Resets the chip if the firmware does not feed the watchdog for four seconds.
+    /// Watchdog timer. It resets the chip if the firmware does not feed it for four
+    /// seconds.
     pub(crate) watchdog: Watchdog,
 }
 

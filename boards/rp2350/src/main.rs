@@ -1,7 +1,7 @@
 //! Draws a scene on an ST7789 display of 320x240 pixels, on a Raspberry Pi Pico 2.
 //!
-//! The build script compiles the scene on the host into flash. `board.rs` initializes the
-//! hardware.
+//! The build script compiles the scene file on the host. The firmware contains the compiled
+//! scene. `board.rs` initializes the hardware.
 
 #![no_std]
 #![no_main]
@@ -26,7 +26,7 @@ const COUNTS: SceneCounts = SceneCounts::of_compiled(SCENE);
 #[rp235x_hal::entry]
 fn main() -> ! {
     static mut BUFFER: whitted::scene_buffer!(COUNTS) = <whitted::scene_buffer!(COUNTS)>::new();
-    // Transfer buffer of the display driver: one line of 16-bit pixels.
+    // Transfer buffer of the display driver. It holds one line of 16-bit pixels.
     static mut LINE: [u8; 640] = [0; 640];
 
     let Board {
@@ -37,13 +37,14 @@ fn main() -> ! {
     match BUFFER.decode(SCENE) {
         Ok(scene) => {
             let mut renderer = Renderer::new(&scene, display.size());
-            // Progressive order draws blocks of 16 pixels first and single pixels last.
+            // Progressive order draws blocks of 16x16 pixels first and single pixels last.
             let mut progress = RenderProgress::progressive(display.bounding_box());
             while !progress.is_complete() {
                 match renderer.step(&mut progress, Step::Line, &mut display) {
                     Ok(()) => watchdog.feed(),
-                    // After a display error, the next step sends the line again. If the
-                    // display keeps failing, the watchdog resets the chip.
+                    // After a display error, the next step sends the same line again. The
+                    // watchdog is not fed, so it resets the chip if the display keeps
+                    // failing.
                     Err(_) => error!("display error"),
                 }
             }

@@ -1,6 +1,7 @@
 //! Hardware setup for the Feather STM32F405: clock, wiring and display.
 //!
-//! For another board with this chip, change the crystal frequency and the pins.
+//! For another board with this chip, change the crystal frequency and the pins in this
+//! file.
 
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::prelude::*;
@@ -19,7 +20,8 @@ use stm32f4xx_hal::watchdog::IndependentWatchdog;
 /// The initialized display and watchdog of the board.
 pub(crate) struct Board<D> {
     pub(crate) display: D,
-    /// Resets the chip if the firmware does not feed the watchdog for four seconds.
+    /// Watchdog timer. It resets the chip if the firmware does not feed it for four
+    /// seconds.
     pub(crate) watchdog: IndependentWatchdog,
 }
 
@@ -63,13 +65,15 @@ pub(crate) fn init(
         Err(error) => defmt::panic!("display initialization failed: {}", error),
     };
 
-    // Drawing a line takes a few milliseconds, much less than the timeout.
+    // Drawing a line takes a few milliseconds, much less than the watchdog timeout of four
+    // seconds.
     let mut watchdog = IndependentWatchdog::new(chip.IWDG);
     watchdog.start(4.secs());
     Board { display, watchdog }
 }
 
-/// Feeds the watchdog forever, so that the picture stays on the display.
+/// Feeds the watchdog forever. The watchdog therefore never resets the chip, and the
+/// picture stays on the display.
 ///
 /// With the feature `emulator`, this function exits the emulator instead.
 pub(crate) fn finish(mut watchdog: IndependentWatchdog) -> ! {
@@ -80,14 +84,14 @@ pub(crate) fn finish(mut watchdog: IndependentWatchdog) -> ! {
     }
 }
 
-/// Returns the clock configuration. The core runs at 168 MHz, derived from the 12 MHz
-/// crystal.
+/// Returns the clock configuration of the chip. The core clock of 168 MHz is derived from
+/// the 12 MHz crystal.
 #[cfg(not(feature = "emulator"))]
 fn clock() -> Config {
     Config::hse(12.MHz()).sysclk(168.MHz())
 }
 
-/// Returns the clock configuration for QEMU, which has no crystal. The core runs from the
+/// Returns the clock configuration for QEMU, which has no crystal. The core clock is the
 /// internal oscillator.
 #[cfg(feature = "emulator")]
 fn clock() -> Config {

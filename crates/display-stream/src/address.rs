@@ -1,8 +1,10 @@
-//! Converts pixel addresses to positions in the controller memory.
+//! Converts the pixel addresses that a driver uses to positions in the memory of the
+//! display controller.
 
 use embedded_graphics_core::geometry::{Point, Size};
 
-/// Scan order of the memory, from the upper three bits of the MADCTL register.
+/// Order in which pixel addresses run through the controller memory. The upper three bits
+/// of the MADCTL register define this order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct AddressOrder {
     /// MV bit of MADCTL: true if address columns are memory rows.

@@ -1,4 +1,5 @@
-//! Opcodes of the modeled commands, from the MIPI Display Command Set.
+//! Opcodes of the display commands that the model supports. The opcodes are from the MIPI
+//! Display Command Set.
 
 pub(crate) const NOP: u8 = 0x00;
 pub(crate) const SWRESET: u8 = 0x01;
@@ -20,13 +21,13 @@ pub(crate) const IDMOFF: u8 = 0x38;
 pub(crate) const COLMOD: u8 = 0x3A;
 pub(crate) const RAMWRC: u8 = 0x3C;
 pub(crate) const STE: u8 = 0x44;
-// Commands for brightness and backlight. The model accepts and ignores these commands.
+// These commands set the brightness and the backlight. The model accepts but ignores them.
 pub(crate) const WRDISBV: u8 = 0x51;
 pub(crate) const WRCTRLD: u8 = 0x53;
 pub(crate) const WRCACE: u8 = 0x55;
 pub(crate) const WRCABCMB: u8 = 0x5E;
 
-/// First opcode of the manufacturer commands, which the model ignores.
+/// Lowest opcode of the manufacturer-specific commands. The model ignores these commands.
 pub(crate) const FIRST_MANUFACTURER: u8 = 0xB0;
 
 /// Returns the number of parameter bytes that the model reads for a command.

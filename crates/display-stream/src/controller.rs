@@ -6,7 +6,8 @@ use crate::panel::Panel;
 use crate::picture::Picture;
 use crate::pixel;
 
-/// Value of COLMOD after reset, for the ST7789 and the ILI9341: 18 bits per pixel.
+/// Value of the COLMOD register after a reset of an ST7789 or an ILI9341. This value
+/// selects 18 bits per pixel.
 const COLMOD_AT_RESET: u8 = 0x66;
 
 /// A byte on the SPI bus, tagged with the level of the D/C pin.
@@ -31,8 +32,8 @@ impl Byte {
 
 /// Model of a display controller that executes SPI traffic byte by byte.
 ///
-/// A byte that causes an error does not change the picture. The controller then accepts the
-/// next byte.
+/// A byte that causes an error does not change the picture. After such an error, the
+/// controller accepts the next byte.
 #[derive(Clone, Debug)]
 pub struct Controller {
     panel: Panel,
@@ -40,17 +41,17 @@ pub struct Controller {
     state: State,
     /// Command that received data bytes belong to.
     command: Option<u8>,
-    /// Parameters of `command` received so far, or the first byte of a pixel.
+    /// Parameter bytes of `command` that have arrived, or the first byte of a pixel.
     received: Vec<u8>,
 }
 
-/// Registers that commands set. The command SWRESET resets them.
+/// Registers of the controller. Commands set these registers, and SWRESET resets them.
 #[derive(Clone, Debug)]
 struct State {
     columns: Range,
     rows: Range,
-    /// Position of the next pixel. `None` until the command RAMWR starts a write in the
-    /// window.
+    /// Address of the next pixel. The cursor is `None` until the command RAMWR starts a
+    /// write into the window.
     cursor: Option<Cursor>,
     madctl: u8,
     colmod: u8,
@@ -75,7 +76,7 @@ impl State {
 }
 
 impl Controller {
-    /// Creates a controller in its state after power-on and hardware reset.
+    /// Creates a controller in the state that it has after power-on and a hardware reset.
     pub fn new(panel: Panel) -> Self {
         Self {
             panel,
@@ -139,7 +140,8 @@ impl Controller {
 
     fn receive_command(&mut self, command: u8) -> Result<(), StreamError> {
         let previous = self.command.replace(command);
-        // As on the real controllers, a command discards an incomplete pixel.
+        // A command discards a pixel of which only one byte has arrived, as real
+        // controllers do.
         let received = std::mem::take(&mut self.received).len();
         if let Some(previous) = previous
             && received < parameter_count(previous)
@@ -215,8 +217,8 @@ impl Controller {
 
     fn receive_pixel_byte(&mut self, data: u8) -> Result<(), StreamError> {
         let State { colmod, madctl, .. } = self.state;
-        // Bits 0 to 2 of COLMOD select the pixel format of the SPI interface; 5 means 16
-        // bits per pixel. Bits 4 to 6 are for the parallel RGB interface.
+        // Bits 0 to 2 of COLMOD select the pixel format of the SPI interface. The value 5
+        // means 16 bits per pixel. Bits 4 to 6 apply only to the parallel RGB interface.
         if colmod & 7 != 5 {
             return Err(StreamError::PixelFormat { colmod });
         }

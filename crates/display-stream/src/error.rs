@@ -17,7 +17,7 @@ pub enum StreamError {
         /// The opcode.
         command: u8,
     },
-    /// A command arrived before the previous command had all its parameters.
+    /// A command arrived before all parameters of the previous command had arrived.
     Interrupted {
         /// Opcode of the command that lacks parameters.
         command: u8,
@@ -26,7 +26,8 @@ pub enum StreamError {
         /// Number of parameter bytes that the command takes.
         expected: usize,
     },
-    /// The last address of a window command is before its first address.
+    /// A command selected a window whose last column or row is before the first column or
+    /// row.
     Reversed {
         /// Opcode of the command: CASET or RASET.
         command: u8,
@@ -35,14 +36,14 @@ pub enum StreamError {
         /// Last column or row.
         last: u16,
     },
-    /// A pixel was written while the window exceeds the memory.
+    /// A pixel was sent, but the window extends beyond the memory.
     OutsideOfMemory {
         /// Last column and row of the window.
         last: Point,
         /// Columns and rows of the memory in the current orientation.
         memory: Size,
     },
-    /// A pixel was written while COLMOD does not select 16 bits per pixel.
+    /// A pixel was sent, but the COLMOD register does not select 16 bits per pixel.
     PixelFormat {
         /// Current value of COLMOD.
         colmod: u8,
@@ -105,7 +106,7 @@ pub enum BlankError {
     Asleep,
     /// The display is switched off.
     Off,
-    /// A visible pixel was never written: the memory is undefined after power-on.
+    /// A visible pixel was never written, so its color is undefined.
     NeverWritten {
         /// Screen position of the first such pixel.
         at: Point,

@@ -1,8 +1,8 @@
-//! Decodes the SPI traffic of a display driver into the picture on the display.
+//! Decodes the bytes that a display driver sends over SPI into the picture on the display.
 //!
-//! Microcontroller emulators report the SPI bytes and the level of the D/C pin, but
-//! have no display. A [`Controller`] executes these bytes as an ST7789 or ILI9341
-//! does and returns the [`Picture`] that its [`Panel`] shows:
+//! Emulators of microcontrollers report the SPI bytes and the level of the D/C pin, but
+//! have no display. A [`Controller`] executes these bytes as an ST7789 or ILI9341 does. It
+//! returns the [`Picture`] that its [`Panel`] shows:
 //!
 //! ```
 //! use display_stream::{Byte, Controller, Panel};
@@ -18,9 +18,9 @@
 //! # Ok::<(), Box<dyn core::error::Error>>(())
 //! ```
 //!
-//! The model implements every command that the picture depends on, as the data
-//! sheets specify it, and returns an error for traffic that no correct driver sends.
-//! Manufacturer commands (0xB0 and above: voltages, timing, gamma) are ignored.
+//! The model follows the data sheets and implements every standard command that changes the
+//! picture. It returns an error for bytes that no correct driver sends. It ignores
+//! manufacturer commands (0xB0 and above), which set voltages, timing and gamma.
 
 mod address;
 mod command;

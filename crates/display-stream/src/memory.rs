@@ -24,7 +24,8 @@ impl Range {
 
 /// Address of the next pixel in a window.
 ///
-/// The cursor moves line by line. After the last pixel it returns to the first pixel.
+/// The cursor moves line by line. After the last pixel of the window, it returns to the
+/// first pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Cursor {
     columns: Range,
@@ -64,7 +65,7 @@ impl Cursor {
 #[derive(Clone, Debug)]
 pub(crate) struct Memory {
     size: Size,
-    /// Pixels, row by row. A pixel is `None` if it was not written since power-on.
+    /// Pixels, row by row. A pixel is `None` if no driver has written it since power-on.
     pixels: Vec<Option<u16>>,
 }
 

@@ -13,7 +13,7 @@ pub struct Panel {
     pub memory: Size,
     /// Visible part of the memory.
     pub glass: Rectangle,
-    /// MADCTL value that matches the construction and mounting of the panel.
+    /// MADCTL value that suits the way in which the panel is built and mounted.
     ///
     /// If the driver sets this MADCTL value, pixels run from left to right, lines run from
     /// top to bottom, and red and blue are not swapped.
@@ -23,7 +23,8 @@ pub struct Panel {
 }
 
 impl Panel {
-    /// ST7789 with a square IPS panel, common on Raspberry Pi Pico display hats.
+    /// ST7789 with a square IPS panel. Display hats for the Raspberry Pi Pico often have
+    /// this panel.
     pub const ST7789_240X240: Self = Self {
         memory: MEMORY,
         glass: Rectangle::new(Point::zero(), Size::new(240, 240)),
@@ -37,7 +38,7 @@ impl Panel {
         ..Self::ST7789_240X240
     };
 
-    /// ILI9341 with its usual panel in landscape format, in BGR color order.
+    /// ILI9341 with its usual panel, in landscape format and with BGR color order.
     pub const ILI9341_320X240: Self = Self {
         memory: MEMORY,
         glass: Rectangle::new(Point::zero(), MEMORY),
@@ -45,7 +46,8 @@ impl Panel {
         is_inverted: false,
     };
 
-    /// Returns the size of the visible picture, in the orientation of the panel.
+    /// Returns the width and height of the visible picture, in the orientation of the
+    /// mounted panel.
     pub fn size(&self) -> Size {
         AddressOrder::from_madctl(self.madctl).extent(self.glass.size)
     }

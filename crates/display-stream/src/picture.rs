@@ -7,8 +7,8 @@ use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
 
 /// Picture on a display, stored line by line from the top left.
 ///
-/// A picture is also a [`DrawTarget`]. Tests run the same drawing code on a picture and on
-/// a display, and compare the results.
+/// A picture is also a [`DrawTarget`]. A test can therefore run the same drawing code on a
+/// picture and on a display, and compare the results.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Picture {
     size: Size,
@@ -21,7 +21,7 @@ impl Picture {
         Self::from_fn(size, |_| Rgb565::BLACK)
     }
 
-    /// Creates a picture. The function `color` returns the color at each point.
+    /// Creates a picture from the function `color`, which returns the color at a point.
     pub(crate) fn from_fn(size: Size, color: impl FnMut(Point) -> Rgb565) -> Self {
         let line = |y| (0..size.width).map(move |x| Point::new(x as i32, y as i32));
         Self {
@@ -40,8 +40,8 @@ impl Picture {
         self.pixels.get(self.index(at)?).copied()
     }
 
-    /// Returns the position of the first pixel that differs from `other`, a picture of
-    /// equal size.
+    /// Returns the position of the first pixel that differs between this picture and
+    /// `other`. The two pictures must have the same size.
     pub fn first_difference(&self, other: &Self) -> Option<Point> {
         let mut pairs = self.pixels.iter().zip(&other.pixels);
         let index = pairs.position(|(own, other)| own != other)? as u32;

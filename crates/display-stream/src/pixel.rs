@@ -6,7 +6,7 @@ use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
 /// MADCTL bit for BGR color order.
 const BGR: u8 = 0x08;
 
-/// Returns true if red and blue appear swapped, because the color order in `madctl`
+/// Returns true if red and blue appear swapped. They do if the color order in `madctl`
 /// differs from the color order of the panel.
 pub(crate) fn is_red_blue_swapped(madctl: u8, panel_madctl: u8) -> bool {
     (madctl ^ panel_madctl) & BGR != 0

@@ -6,15 +6,15 @@
 //! The upper half of a signed factor is signed. Each product of two halves fits 32 bits.
 //!
 //! Squares are inlined. The other assembly routines are functions with a custom calling
-//! convention: a function changes only the registers that are named at the call. A call
-//! takes two instructions more than inlined code, but much less flash.
+//! convention: a function changes only the registers that are named at the call. Calling a
+//! routine takes two more instructions than inlining it, but saves much flash.
 
 use core::arch::{asm, naked_asm};
 
 /// Defines a function that multiplies r0 by r1 and returns the product in r1:r0.
 ///
-/// The shifts that extract the upper halves are `asrs` for a signed factor and `lsrs` for
-/// an unsigned factor.
+/// The routine extracts the upper half of a factor by a shift: `asrs` if the factor is
+/// signed, `lsrs` if it is unsigned.
 macro_rules! routine {
     ($name:ident, $shift_a:literal, $shift_b:literal) => {
         #[unsafe(naked)]
@@ -43,7 +43,7 @@ macro_rules! routine {
     };
 }
 
-/// Calls a product routine and returns the lower and the upper word of the product.
+/// Calls a routine that multiplies. Returns the lower and the upper word of the product.
 macro_rules! call {
     ($routine:ident, $a:ident, $b:ident) => {{
         let (low, high);
@@ -89,7 +89,7 @@ pub(crate) fn mixed(a: i32, b: u32) -> i64 {
     i64::from(high) << 32 | i64::from(low)
 }
 
-/// Defines the assembler macro `multiply x`, which sets a register `x` to
+/// Defines the assembler macro `multiply x`. The macro sets the register `x` to
 /// `x * b / 2^(32 - up)`, rounded half up.
 ///
 /// The 16-bit halves of `b` are in r4 (`bl`, the lower half) and r3 (`bh`, the upper half),
@@ -121,8 +121,9 @@ macro_rules! define_multiply {
     };
 }
 
-/// Splits r3 into signed 16-bit halves, the lower in r4 and the upper in r3, and clears r7.
-/// The macro `multiply` expects its factor in this form.
+/// Splits r3 into two signed 16-bit halves. The lower half moves to r4, and the upper half
+/// stays in r3. Also clears r7. The macro `multiply` expects its factor `b` in these
+/// registers.
 macro_rules! split {
     () => {
         "
@@ -133,7 +134,7 @@ macro_rules! split {
     };
 }
 
-/// Multiplies r0 by r3 and divides by `2^(32 - UP)`, rounded half up.
+/// Multiplies r0 by r3 and divides the product by `2^(32 - UP)`, rounded half up.
 #[unsafe(naked)]
 extern "C" fn scale_one<const UP: u32>() {
     naked_asm!(
@@ -148,7 +149,8 @@ extern "C" fn scale_one<const UP: u32>() {
     )
 }
 
-/// Multiplies each of r0, r1 and r2 by r3 and divides by `2^(32 - UP)`, rounded half up.
+/// Multiplies each of r0, r1 and r2 by r3 and divides the products by `2^(32 - UP)`,
+/// rounded half up.
 #[unsafe(naked)]
 extern "C" fn scale<const UP: u32>() {
     naked_asm!(
@@ -165,7 +167,8 @@ extern "C" fn scale<const UP: u32>() {
     )
 }
 
-/// Multiplies each of r0, r1 and r2 by `r3 + 2^32` and divides by 2^32, rounded half up.
+/// Multiplies each of r0, r1 and r2 by `r3 + 2^32` and divides the products by 2^32,
+/// rounded half up.
 ///
 /// The routine multiplies each register by the signed value in r3, then adds the original
 /// value of the register.
@@ -259,7 +262,8 @@ pub(crate) fn by_16_bits(a: u32, b: i32) -> i32 {
 
 #[inline(always)]
 pub(crate) fn by_17_bits(a: u32, b: u32) -> u32 {
-    // `a * low` fits 32 bits, and the sum is at most `b`, so nothing overflows.
+    // The product `a * low` fits in 32 bits, and the sum of both terms is at most `b`.
+    // Therefore nothing overflows.
     let (low, high) = (b & 0xffff, b >> 16);
     (a.wrapping_mul(low) >> 16).wrapping_add(a.wrapping_mul(high)) >> 1
 }
@@ -309,8 +313,8 @@ pub(crate) fn square(a: i32) -> i64 {
     i64::from(high) << 32 | i64::from(low)
 }
 
-/// Counts the leading zeros of r0. The routine finds the highest nonzero byte and looks it
-/// up in a table of 256 entries.
+/// Counts the leading zeros of r0. The routine finds the highest nonzero byte and looks up
+/// its leading zeros in a table of 256 entries.
 #[unsafe(naked)]
 extern "C" fn count_leading_zeros() {
     naked_asm!(

@@ -1,8 +1,9 @@
 //! Rounding shift for Armv7-M and Armv8-M mainline.
 //!
-//! A right shift leaves the last bit that it shifts out in the carry flag. Adding the carry
-//! flag to the shifted value rounds half up, so shift and rounding take 2 instructions.
-//! Compiled code takes 4, because it adds half a unit to the 64-bit value first.
+//! A right shift moves the last bit that it removes into the carry flag. Adding the carry
+//! flag to the shifted value rounds it half up. Shifting and rounding therefore take 2
+//! instructions. Code from the compiler takes 4, because it adds one half to the 64-bit
+//! value before the shift.
 
 use core::arch::asm;
 

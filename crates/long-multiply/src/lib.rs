@@ -1,4 +1,4 @@
-//! 32x32-bit multiplication for fixed-point arithmetic on microcontrollers.
+//! Multiplies 32-bit integers for fixed-point arithmetic on microcontrollers.
 //!
 //! Armv6-M (Cortex-M0 and M0+) has no instruction for a 64-bit product: `muls` returns
 //! the lower 32 bits. For a 64-bit product, compiled code calls a 64x64-bit routine of
@@ -12,9 +12,10 @@
 //! | leading zeros | 6 to 11 | about 35 |
 //! | rounding shift of an `i64` to 32 bits | 3 | 6 |
 //!
-//! On Armv7-M and Armv8-M mainline, only the rounding shift is assembly, of 2
-//! instructions instead of 4. The other operations on these targets, and all operations
-//! on any other target, are plain Rust. All implementations return the same bits.
+//! On Armv7-M and Armv8-M mainline, only the rounding shift is written in assembly. It
+//! takes 2 instructions instead of the compiler's 4. The other operations on these targets
+//! are plain Rust, and so are all operations on any other target. All implementations
+//! return the same bits.
 //!
 //! In the function descriptions, "rounded down" is toward negative infinity and "rounded
 //! half up" is `floor(x + 1/2)`.
@@ -40,7 +41,7 @@ use plain as words;
 
 /// True if a full product is a function call, which is the case on Armv6-M.
 ///
-/// On Armv6-M, a comparison that avoids an unneeded product can be cheaper than the product.
+/// On Armv6-M, checking whether a product is needed can be cheaper than computing it.
 pub const IS_CALL: bool = cfg!(armv6m);
 
 /// Returns the full product `a * b` of two signed integers.

@@ -32,9 +32,9 @@ pub(crate) fn scaled<const SHIFT: u32>(v: [i32; 3], by: i32) -> [i32; 3] {
 
 #[inline(always)]
 pub(crate) fn reduced(v: [i32; 3], by: u32) -> [i32; 3] {
-    // `by` is at least 2^31, so `by - 2^32` fits an i32 and the product with the component
-    // `c` is a signed 32x32-bit product. Adding `c` to the quotient corrects for the
-    // missing 2^32.
+    // Because `by` is at least 2^31, `by - 2^32` fits in an i32. The code multiplies each
+    // component `c` by `by - 2^32` and divides by 2^32. It then adds `c`, because the
+    // factor was too small by 2^32.
     v.map(|c| c.wrapping_add(((signed(c, by as i32) + (1 << 31)) >> 32) as i32))
 }
 

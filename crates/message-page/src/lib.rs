@@ -10,7 +10,7 @@ use embedded_graphics::{
     text::{Baseline, Text},
 };
 
-/// Clears the display and writes `text` in white on black, from the top left.
+/// Clears the display and writes `text` in white on black, starting at the top left.
 ///
 /// Lines wrap between words.
 ///
@@ -87,7 +87,7 @@ mod tests {
         for display in [&mut wrapped, &mut expected] {
             display.set_allow_overdraw(true);
         }
-        // A line of the mock display is 64 pixels wide and fits ten characters.
+        // The mock display is 64 pixels wide, so a line holds ten characters.
         write(&mut wrapped, &FONT_6X9, format_args!("no scene {}", 123))?;
         let Ok(()) = expected.clear(BinaryColor::Off);
         let style = MonoTextStyle::new(&FONT_6X9, BinaryColor::On);

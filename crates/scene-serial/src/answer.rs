@@ -1,6 +1,6 @@
 use core::fmt;
 
-/// Reply of the board to a transfer, formatted as a line of text.
+/// The board's reply to a transfer. It is sent as a line of text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Answer<W> {
     /// The board draws the scene.
@@ -33,8 +33,8 @@ impl<W: fmt::Display> fmt::Display for Answer<W> {
 }
 
 impl<'l> Answer<&'l str> {
-    /// Parses an answer from a line of text without its line end. Returns `None` if the
-    /// line is not an answer.
+    /// Parses an answer from a line of text. The line must not include its line end.
+    /// Returns `None` if the line is not an answer.
     pub fn parse(line: &'l str) -> Option<Self> {
         let ticket = |digits| u16::from_str_radix(digits, 16).ok();
         let (head, why) = match line.split_once(": ") {

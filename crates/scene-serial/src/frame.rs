@@ -4,7 +4,8 @@ use whitted::codec::Crc32;
 /// Size of the ticket and the checksum in a frame, in bytes.
 pub(crate) const OVERHEAD: usize = size_of::<u16>() + size_of::<u32>();
 
-/// Returns the largest possible size in bytes of a frame with a scene of `scene_len` bytes.
+/// Returns the largest possible size of a frame, in bytes, for a scene of `scene_len`
+/// bytes.
 pub const fn frame_len(scene_len: usize) -> usize {
     const DELIMITERS: usize = 2;
     DELIMITERS + cobs::max_encoding_length(scene_len + OVERHEAD)
@@ -12,7 +13,7 @@ pub const fn frame_len(scene_len: usize) -> usize {
 
 /// Encodes a scene as a frame in `buffer` and returns the frame.
 ///
-/// Returns `None` if `buffer` is shorter than [`frame_len`] bytes.
+/// Returns `None` if `buffer` is shorter than the size that [`frame_len`] returns.
 pub fn frame<'f>(ticket: u16, scene: &[u8], buffer: &'f mut [u8]) -> Option<&'f [u8]> {
     let buffer = buffer.get_mut(..frame_len(scene.len()))?;
     let ticket = ticket.to_le_bytes();

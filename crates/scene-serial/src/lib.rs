@@ -1,5 +1,5 @@
 #![no_std]
-//! Protocol that sends compiled scenes to a board over a serial line.
+//! A protocol that sends compiled scenes to a board over a serial line.
 //!
 //! The host sends a scene as a [`frame`]. A [`Receiver`] on the board decodes the
 //! frame byte by byte. The board replies with an [`Answer`], a line of text. The
@@ -9,10 +9,11 @@
 //! 0  COBS(ticket: u16  scene  CRC-32 of both)  0
 //! ```
 //!
-//! Integers are little-endian. [COBS](cobs) removes all zeros from the payload, so a
-//! zero always separates frames, and the receiver resynchronizes after lost or extra
-//! bytes. The ticket is a number that the host chooses. The answer repeats the
-//! ticket, so the host can ignore answers to earlier transfers.
+//! Integers are little-endian. [COBS](cobs) encodes the payload without zeros, so a
+//! zero always marks the start or end of a frame. After lost or extra bytes, the
+//! receiver continues at the next zero. The ticket is a number that the host chooses.
+//! The board's answer repeats the ticket, so the host can ignore answers to earlier
+//! transfers.
 //!
 //! ```
 //! use scene_serial::{Answer, Receiver, frame, frame_len};

@@ -23,7 +23,8 @@ enum Progress {
     Waiting,
     /// Part of a frame has arrived.
     Receiving,
-    /// The current frame exceeds the capacity. The rest of the frame is dropped.
+    /// The current frame is longer than the buffer. The receiver ignores the rest of the
+    /// frame.
     TooLong,
     /// The buffer holds a complete message.
     Received,
@@ -32,9 +33,9 @@ enum Progress {
 /// Message from the host: a scene and its ticket.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Message<'m> {
-    /// Ticket number that the host chose. The answer must repeat this number.
+    /// The number that the host chose for this transfer. The board's answer must repeat it.
     pub ticket: u16,
-    /// Compiled scene. The checksum is correct, but the content is not validated.
+    /// The compiled scene. Its checksum is correct, but its content is not validated.
     pub scene: &'m [u8],
 }
 
@@ -80,9 +81,9 @@ impl<const CAPACITY: usize> Receiver<CAPACITY> {
         }
     }
 
-    /// Processes a byte. If the byte ends a frame, returns the result of the transfer.
+    /// Processes one byte. If this byte ends a frame, returns the result of the transfer.
     ///
-    /// Bytes are ignored while the receiver holds a message. Call
+    /// While the receiver holds a message, it ignores all bytes. Call
     /// [`forget`](Self::forget) to receive the next frame.
     pub fn receive(&mut self, byte: u8) -> Option<Result<(), ReceiveError>> {
         if self.progress == Progress::Received {
@@ -150,7 +151,8 @@ impl<const CAPACITY: usize> Receiver<CAPACITY> {
         }
     }
 
-    /// Splits the buffer into the message and its checksum, which may be wrong.
+    /// Splits the buffer into the message and the received checksum. Does not verify the
+    /// checksum.
     fn parts(&self) -> Option<(Message<'_>, u32)> {
         let (ticket, rest) = self.bytes.split_first_chunk()?;
         let (scene, checksum) = rest.split_last_chunk()?;

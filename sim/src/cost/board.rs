@@ -1,7 +1,7 @@
 use super::prices::PRICES;
 use super::work::Work;
 
-/// A common chip with one of the supported cores, at its highest clock.
+/// A common chip with one of the supported cores. The chip runs at its highest clock.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Board {
     /// Name of the core, such as "Cortex-M3".
@@ -12,12 +12,13 @@ pub struct Board {
     pub megahertz: u32,
     /// Row of the core in [`PRICES`].
     prices: usize,
-    /// Average cycles per instruction. docs/cost-model.md has the sources.
+    /// Average number of clock cycles per instruction. docs/cost-model.md names the sources of the
+    /// values.
     cycles: f64,
 }
 
-/// One board for each core. The Cortex-M7 runs the machine code of the Cortex-M4F and has the same
-/// prices.
+/// The boards, one for each core. The Cortex-M7 runs the same machine code as the Cortex-M4F, so
+/// both cores have the same prices.
 pub const BOARDS: [Board; 5] = [
     board("Cortex-M0+", "RP2040", 133, 0, 1.40),
     board("Cortex-M3", "STM32F103", 72, 1, 1.73),
@@ -68,7 +69,8 @@ mod tests {
     use super::*;
     use crate::scene_file;
 
-    /// Largest error of an estimate, as a share of the counted instructions.
+    /// Largest allowed error of an estimated number of instructions, as a share of the counted
+    /// number.
     const TOLERANCE: f64 = 0.25;
 
     #[test]

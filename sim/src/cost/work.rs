@@ -23,7 +23,7 @@ pub const ITEMS: [&str; 15] = [
     "sphere of a sphereflake",
 ];
 
-/// An item of work. The discriminant is the index of the item in [`ITEMS`].
+/// An item of work. Its discriminant is the index of its name in [`ITEMS`].
 #[derive(Clone, Copy)]
 enum Item {
     ObjectInLine,
@@ -61,8 +61,8 @@ impl Work {
         renderer.observer().clone()
     }
 
-    /// Creates the counter for a frame. Before the first ray, its only count is that of the objects
-    /// in all scanlines.
+    /// Creates the counter for a frame. The counter starts with one item for each object in each
+    /// scanline. The other items are counted during the rendering.
     pub fn new(scene: &PreparedScene<'_>, size: Size) -> Self {
         let counts = scene.counts();
         let mut work = Self {
@@ -84,9 +84,9 @@ impl Work {
     }
 
     /// Returns the estimated number of bounding spheres that a secondary ray is tested against. Up
-    /// to 16 objects are tested one by one. More objects are in groups of 8: the ray is tested
-    /// against the sphere of each group, and against 16 objects in the two groups that it enters on
-    /// average.
+    /// to 16 objects are tested one by one. More objects are in groups of 8, and each group has its
+    /// own bounding sphere. The ray is tested against the sphere of each group. On average it
+    /// enters two groups, and is tested against their 16 objects.
     fn bounds(&self) -> u64 {
         match self.objects {
             0..=16 => self.objects,

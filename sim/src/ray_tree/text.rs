@@ -11,8 +11,8 @@ use whitted::{Color, Real};
 use super::{RayTree, ShadowRay, TreeNode};
 
 impl RayTree {
-    /// Formats the ray tree, the pixel's color, and the number of rays. `describe` is called with
-    /// the index of an object and returns its description, if any.
+    /// Formats the ray tree, the pixel's color, and the number of rays. `describe` receives the
+    /// index of an object, and returns a description of the object or `None`.
     pub fn draw(&self, describe: impl Fn(u16) -> Option<String>) -> String {
         let mut text = String::new();
         for line in tree_lines(&self.nodes, &describe) {
@@ -44,7 +44,8 @@ impl RayTree {
     }
 }
 
-/// Formats a ray tree as lines: first the root, then its shadow rays and subtrees, indented.
+/// Formats a ray tree as lines. The first line is the root. Its shadow rays and subtrees follow and
+/// are indented.
 fn tree_lines(tree: &[TreeNode], describe: &dyn Fn(u16) -> Option<String>) -> Vec<String> {
     let Some((root, rest)) = tree.split_first() else {
         return Vec::new();

@@ -13,7 +13,8 @@ use super::value::Value;
 
 /// Reads the table `[animation]`.
 ///
-/// The library checks the order and the range of keyframe times once the whole scene is read.
+/// This function does not check the order and range of keyframe times. The library checks them
+/// after the whole scene is read.
 pub(super) fn animation(
     value: &Value<'_>,
     targets: &[NamedTarget],
@@ -61,7 +62,8 @@ fn track(table: &Table<'_>, targets: &[NamedTarget]) -> Result<FileTrack, LoadEr
 }
 
 fn keyframes(table: &Table<'_>, kind: ValueKind) -> Result<Vec<Keyframe>, LoadError> {
-    // Error messages show example keyframes with values of the target's type.
+    // Error messages show example keyframes. The examples have values of the type that the target
+    // needs.
     let key = example_key(kind);
     let value = table
         .need("keys")
@@ -119,7 +121,7 @@ fn keyframe(value: &Value<'_>, kind: ValueKind) -> Result<Keyframe, LoadError> {
     })
 }
 
-/// Returns the key for which [`example`] returns keyframes of this type.
+/// Returns the name under which [`example`] has keyframes with values of this type.
 fn example_key(kind: ValueKind) -> &'static str {
     match kind {
         ValueKind::Point => "keys",

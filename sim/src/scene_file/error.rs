@@ -2,16 +2,16 @@ use std::error::Error;
 use std::fmt;
 use std::io;
 
-/// An error in a scene file, with its place, its reason, and advice.
+/// An error in a scene file. It has the place and the reason of the error, and may have advice.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LoadError {
     /// File name as the caller passed it.
     pub file: String,
-    /// Line number, counted from 1, or `None` if the error concerns the file as a whole.
+    /// Line number of the error, counted from 1. It is `None` if the error concerns the whole file.
     pub line: Option<usize>,
-    /// Path of the key, such as `objects[1].radius`.
+    /// Path of the scene-file key, such as `objects[1].radius`.
     pub key: Option<String>,
-    /// Reason of the error, as a phrase that follows the key in the message.
+    /// Reason of the error. In the error message, the reason follows the scene-file key.
     pub reason: String,
     /// Advice on how to fix the error.
     pub help: Option<String>,

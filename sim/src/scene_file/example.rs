@@ -1,5 +1,5 @@
-/// Returns an example line for a key, to be quoted in error messages. Returns an empty string for
-/// an unknown key.
+/// Returns an example line for a key, which error messages quote. Returns an empty string if the
+/// key is unknown.
 pub(super) fn example(key: &str) -> &'static str {
     match key {
         "title" => r#"title = "Still life""#,

@@ -1,4 +1,4 @@
-//! Converts errors of the library to errors with a line and a key of the scene file.
+//! Converts an error of the library to an error that names a line and a key of the scene file.
 
 use whitted::scene::{SceneItem, SceneProblem};
 use whitted::{Real, SceneError};
@@ -9,7 +9,8 @@ use super::file::SceneFile;
 use super::outline::Entry;
 
 impl SceneFile {
-    /// Converts an error of the library to an error with the line and key of the rejected value.
+    /// Converts an error of the library to an error that names the key of the rejected value and
+    /// its line in the scene file.
     pub fn explain(&self, error: SceneError) -> LoadError {
         let item = self.path(error.item);
         let entry = self.entry(&item, error.field);
@@ -17,7 +18,8 @@ impl SceneFile {
             Some(entry) => entry.path.clone(),
             None => child(&item, error.field),
         };
-        // A key that is not in the file has no line, so the error has the line of its table.
+        // If the file does not contain the key, the error has the line of the table to which the
+        // key belongs.
         let line = entry.or_else(|| self.outline.find(&item));
         LoadError {
             file: self.outline.name().to_owned(),
@@ -42,8 +44,8 @@ impl SceneFile {
         }
     }
 
-    /// Returns the key in the file that sets a field of the scene. The fields `diffuse` and
-    /// `specular` of a light may both be set by the key `color`.
+    /// Returns the scene-file key that sets a field of the scene. The key `color` of a light may
+    /// set both of its fields `diffuse` and `specular`.
     fn entry(&self, item: &str, field: &str) -> Option<&Entry> {
         let alternative = match field {
             "diffuse" | "specular" => "color",
@@ -71,7 +73,7 @@ fn reason(problem: SceneProblem, entry: Option<&Entry>) -> String {
 
 fn help(problem: SceneProblem, key: &str) -> Option<String> {
     let name = key.rsplit('.').next().unwrap_or_default();
-    // For an element of an array, the example shows the whole array.
+    // If the rejected value is an element of an array, the example shows the whole array.
     let name = name.split('[').next().unwrap_or_default();
     let example = example(name);
     Some(match problem {
@@ -88,9 +90,9 @@ fn help(problem: SceneProblem, key: &str) -> Option<String> {
     })
 }
 
-/// Clamps the number in an example line to a range. Returns the end of the range, or `None` if the
-/// number is in the range. A fixed example may be out of range, because the range of a size depends
-/// on the scene.
+/// Clamps the number in an example line to the range of accepted values. Returns the nearest end of
+/// the range if the number is outside, or `None` if the number is inside. The number can be outside
+/// because the example is fixed, while the accepted range of a size depends on the scene.
 fn clamped(example: &str, least: Real, most: Real) -> Option<Real> {
     let number: Real = example.rsplit(' ').next()?.parse().ok()?;
     let clamped = number.clamp(least, most);

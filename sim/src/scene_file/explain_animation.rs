@@ -7,7 +7,8 @@ use super::example::example;
 use super::file::SceneFile;
 
 impl SceneFile {
-    /// Converts an animation error of the library to an error with a line and a key of the file.
+    /// Converts an animation error of the library to an error that names a line and a key of the
+    /// scene file.
     pub(super) fn explain_animation(&self, error: AnimationError) -> LoadError {
         let keys = match error.track {
             Some(track) => format!("animation.tracks[{track}].keys"),
@@ -31,8 +32,9 @@ impl SceneFile {
         }
     }
 
-    /// Converts an error that the library reports for the frame at `time`. The result names the
-    /// track that may have caused the error, or the rejected key if no such track exists.
+    /// Converts an error that the library reports for the animated scene at `time`. The new error
+    /// names the track that may be the cause. If no track may be the cause, the new error names the
+    /// scene-file key of the rejected value.
     pub fn explain_frame(&self, error: SceneError, time: Real) -> LoadError {
         let mut tracks = self.animation.iter().flat_map(|it| &it.tracks);
         if let Some(track) = tracks.position(|track| may_cause(track.target, &error)) {
@@ -57,7 +59,7 @@ impl SceneFile {
     }
 }
 
-/// Returns true if an animation of `target` may cause the error.
+/// Returns true if a track that animates `target` may cause the error.
 fn may_cause(target: Target, error: &SceneError) -> bool {
     let SceneError { item, field, .. } = *error;
     match target {

@@ -9,12 +9,13 @@ pub type Buffer = SceneBuffer<256, 16, 256>;
 /// Buffer for the frames of an animated scene file. Its capacity is 256 objects and 16 lights.
 pub type AnimatedScene = whitted::animation::AnimatedScene<256, 16>;
 
-/// Content of a scene file. Its lists are vectors, while those of a [`Scene`] are borrowed.
+/// Content of a scene file. This type owns its lists, while a [`Scene`] borrows its lists.
 #[derive(Clone, Debug)]
 pub struct SceneFile {
     /// Title of the scene.
     pub title: Option<String>,
-    /// Camera and settings of the scene. The lists in this value are empty.
+    /// Camera and settings of the scene. The lists of lights, materials and objects in this
+    /// [`Scene`] are empty.
     pub settings: Scene<'static>,
     /// Lights, in the file's order.
     pub lights: Vec<Light>,

@@ -1,8 +1,8 @@
 use whitted::Real;
 use whitted::animation::{Animation, Interpolation, Keyframe, Target, Track};
 
-/// Content of the table `[animation]` of a scene file. Its lists are vectors, while those of an
-/// [`Animation`] are borrowed.
+/// Content of the table `[animation]` of a scene file. This type owns its lists, while an
+/// [`Animation`] borrows its lists.
 #[derive(Clone, Debug)]
 pub struct FileAnimation {
     /// Duration in seconds.

@@ -44,8 +44,8 @@ pub(super) fn object<'a>(
     })
 }
 
-/// Returns the keys of objects of all types. They are the accepted keys of an object whose `type`
-/// is missing.
+/// Returns all keys that at least one type of object accepts. An object whose `type` is missing may
+/// have any of these keys.
 fn all_keys() -> Vec<&'static str> {
     let mut keys = OBJECT.keys.to_vec();
     for key in SHAPES.iter().flat_map(|shape| shape.schema.keys) {

@@ -2,16 +2,16 @@ use toml::de::{DeTable, DeValue};
 
 use super::source::Source;
 
-/// Lines and values of all keys of a scene file. They are kept for errors that are found after the
-/// file was read.
+/// Stores the lines and values of all keys of a scene file. Errors that are found after the file
+/// was read need them.
 #[derive(Clone, Debug)]
 pub(super) struct Outline {
     name: String,
     entries: Vec<Entry>,
 }
 
-/// A key of a scene file, with its line number, and with its value as written in the file but on
-/// one line.
+/// A key of a scene file, with its line number and its value. The value is written as in the file,
+/// but on one line.
 #[derive(Clone, Debug)]
 pub(super) struct Entry {
     pub(super) path: String,

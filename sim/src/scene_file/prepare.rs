@@ -14,8 +14,8 @@ impl SceneFile {
             .map_err(|error| self.explain(error))
     }
 
-    /// Returns the scene at a time of its animation, in seconds. A scene without `[animation]` is
-    /// returned unchanged.
+    /// Returns the scene at a time of its animation, in seconds. If the file has no table
+    /// `[animation]`, the scene is returned unchanged.
     ///
     /// # Errors
     /// Returns the line and key of the first track that the library rejects.

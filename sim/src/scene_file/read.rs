@@ -14,7 +14,7 @@ use super::table::Table;
 use super::target::targets;
 use super::value::Value;
 
-/// Largest number of secondary generations that `Scene::max_depth` supports.
+/// Largest value of `Scene::max_depth`, the number of secondary generations of rays.
 const MAX_DEPTH: u8 = 32;
 
 /// Reads a whole scene file.
@@ -63,7 +63,7 @@ fn materials<'a>(table: &Table<'a>) -> Result<Vec<(&'a str, Value<'a>)>, LoadErr
     Ok(materials.entries())
 }
 
-/// Reads the camera and all keys of the top level that are not lists.
+/// Reads the camera and all top-level keys whose values are not lists.
 fn settings(table: &Table<'_>) -> Result<Scene<'static>, LoadError> {
     let camera = table.need("camera").and_then(|value| camera(&value))?;
     let mut scene = Scene::new(camera);
@@ -112,7 +112,7 @@ fn background(value: &Value<'_>) -> Result<Background, LoadError> {
     })
 }
 
-/// Reads an array of tables. A missing key counts as an empty array.
+/// Reads an array of tables. If the key is missing, the array is empty.
 fn each<'a, T>(
     table: &Table<'a>,
     key: &'static str,

@@ -10,7 +10,8 @@ mod sphereflake;
 
 use super::shape_reader::ShapeReader;
 
-/// Readers of all types of objects. A new type needs a file and an entry here.
+/// One reader for each type of object. A new type of object needs its own file and an entry in this
+/// array.
 pub(super) const SHAPES: [ShapeReader; 7] = [
     sphere::READER,
     ellipsoid::READER,

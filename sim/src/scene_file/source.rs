@@ -5,7 +5,8 @@ use toml::de::DeTable;
 
 use super::error::LoadError;
 
-/// Text of a scene file. The byte offset of an error is mapped to its line number.
+/// Text of a scene file. The text is needed to convert the byte offset of an error to a line
+/// number.
 pub(super) struct Source<'a> {
     /// File name in error messages.
     pub(super) name: &'a str,
@@ -19,8 +20,8 @@ impl<'a> Source<'a> {
         1 + before.filter(|byte| **byte == b'\n').count()
     }
 
-    /// Returns an error about a key at a byte range of the file. If `key` is empty, the message
-    /// names no key.
+    /// Returns an error about `key`, whose byte range in the file is given. If `key` is empty, the
+    /// message names no key.
     pub(super) fn error(
         &self,
         place: &Range<usize>,

@@ -1,9 +1,9 @@
 //! Suggests a known name for a misspelled name.
 
-/// Returns the candidate closest to a misspelled name, if one is close enough.
+/// Returns the candidate closest to a misspelled name, or `None` if no candidate is close enough.
 ///
 /// A candidate is close enough if at most two fifths of its letters differ from the misspelled
-/// name, or if it begins with that name. Case is ignored.
+/// name, or if the candidate begins with the misspelled name. Upper and lower case count as equal.
 pub fn nearest<'c>(name: &str, candidates: impl IntoIterator<Item = &'c str>) -> Option<&'c str> {
     let name = name.to_lowercase();
     candidates
@@ -13,8 +13,8 @@ pub fn nearest<'c>(name: &str, candidates: impl IntoIterator<Item = &'c str>) ->
         .map(|(_, candidate)| candidate)
 }
 
-/// Returns the edit distance (optimal string alignment) of two names, or `None` if they are too
-/// different to be the same word.
+/// Returns the edit distance of two names (optimal string alignment). Returns `None` if the names
+/// are too different for one to be a misspelling of the other.
 fn distance(name: &str, candidate: &str) -> Option<usize> {
     let edits = strsim::osa_distance(name, candidate);
     let length = name.chars().count().max(candidate.chars().count());
@@ -23,7 +23,7 @@ fn distance(name: &str, candidate: &str) -> Option<usize> {
 }
 
 /// Returns the help text for an unknown name. The text suggests the nearest candidate. If no
-/// candidate is near, it is `candidates_are` followed by all candidates.
+/// candidate is near, the text is `candidates_are`, followed by all candidates.
 pub(super) fn suggestion<'c>(
     name: &str,
     candidates: impl IntoIterator<Item = &'c str> + Clone,

@@ -40,15 +40,16 @@ impl<'a> Table<'a> {
         Ok(table)
     }
 
-    /// Opens a value that must be a table with the keys of a schema.
+    /// Opens a value as a table. Returns an error if the value is not a table, or if the schema
+    /// lacks one of its keys.
     pub(super) fn open(value: &Value<'a>, schema: TableSchema) -> Result<Self, LoadError> {
         let table = Self::open_any(value, "a table", schema.name)?;
         table.reject_unknown(schema.name, schema.keys)?;
         Ok(table)
     }
 
-    /// Opens a value that must be a table, without checking its keys. `expected` describes the
-    /// table in the error for a value of another type.
+    /// Opens a value as a table without checking its keys. If the value has another type, the error
+    /// message says that `expected` is needed.
     pub(super) fn open_any(
         value: &Value<'a>,
         expected: &str,
@@ -73,8 +74,9 @@ impl<'a> Table<'a> {
 
     /// Returns an error for the first key that is not in `known`.
     ///
-    /// Call this function before reading required keys. A misspelled required key is both unknown
-    /// and missing, and only the error for the unknown key shows the misspelling.
+    /// Call this function before reading required keys. If a required key is misspelled, two errors
+    /// are possible: the right key is missing, and the misspelled key is unknown. Only the error
+    /// for the unknown key shows the misspelling.
     pub(super) fn reject_unknown(
         &self,
         name: &str,
@@ -99,7 +101,8 @@ impl<'a> Table<'a> {
         }
         let keys_are = format!("the keys of {name} are");
         let known = known.iter().copied();
-        // A key that has an example belongs to another table: it is misplaced, not misspelled.
+        // If an example exists for the key, another table accepts the key. The key is then
+        // misplaced, not misspelled.
         if example(key).is_empty() {
             suggestion(key, known, &keys_are)
         } else {

@@ -17,7 +17,7 @@ const AXES: [(&str, [Axis; 2]); 6] = [
 ];
 
 /// Reads the texture of an object, which is one material or a checkerboard. `owner` is the type of
-/// the object, for error messages.
+/// the object, as error messages print it.
 pub(super) fn texture(
     table: &Table<'_>,
     owner: &str,

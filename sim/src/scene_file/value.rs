@@ -100,8 +100,8 @@ impl<'a> Value<'a> {
         Ok(Color::new(r, g, b))
     }
 
-    /// Reads an interval `[low, high]`. The library checks that `low` is below `high` when it
-    /// prepares the scene.
+    /// Reads an interval `[low, high]`. The library checks later, when it prepares the scene, that
+    /// `low` is below `high`.
     pub(super) fn interval(&self) -> Result<[Real; 2], LoadError> {
         self.numbers("an interval [low, high]")
     }

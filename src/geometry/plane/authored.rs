@@ -34,8 +34,8 @@ impl AuthoredShape for Authored {
             })
     }
 
-    /// Adds nothing to the extent. Unbounded surfaces do not determine the scale, because a
-    /// large floor would cost precision for the objects on it.
+    /// Adds nothing to the extent, so unbounded surfaces do not affect the scale. Otherwise a
+    /// large floor would reduce the precision of the objects on it.
     fn extend(&self, _: &mut Extent) {}
 
     /// Returns the largest exponent of the scale at which the ends of the clip box are within

@@ -25,8 +25,9 @@ pub(in super::super) struct Authored {
 }
 
 impl Authored {
-    /// Returns the radius of the cone at the height `y`, as the raw bits of a [`Real`]. The
-    /// radius is negative beyond the apex. The caller ensures that it fits.
+    /// Returns the radius of the cone at the height `y`, as the raw bits of a [`Real`]. The radius
+    /// is negative beyond the apex. The caller ensures that the radius is in the range of a
+    /// [`Real`].
     fn radius_at(&self, y: Real) -> i64 {
         let product = i128::from(self.radius.to_bits()) * i128::from((self.height - y).to_bits());
         product
@@ -34,7 +35,7 @@ impl Authored {
             .unwrap_or(0) as i64
     }
 
-    /// Returns the prepared form. The origin of its coordinates is at the height `middle`.
+    /// Returns the prepared cone. The origin of its coordinates is at the height `middle`.
     fn form(&self, middle: Real, normalization: &Normalization) -> Cone {
         let (radius, height) = (self.radius, self.height);
         let half = Unit::ONE / 2;
@@ -77,8 +78,8 @@ impl AuthoredShape for Authored {
         limits::range(item, "height", height, heights)?;
         let Some(y) = y else { return Ok(()) };
         limits::interval(item, "y", y)?;
-        // At both ends of the clamp, the radius of the cone must be within the limits of a
-        // coordinate.
+        // The clamp is the interval of y. At both of its ends, the radius of the cone must be at
+        // most the largest coordinate.
         let steepness = height.abs().checked_div(radius).unwrap_or(Real::ZERO);
         let reach = FARTHEST.saturating_mul(steepness).min(FARTHEST);
         let within = [height - reach, height + reach];
@@ -86,8 +87,8 @@ impl AuthoredShape for Authored {
             .try_for_each(|y| limits::range(item, "y", y, within))
     }
 
-    /// Adds the cone to the extent. For an unbounded cone, only the part from the base to the
-    /// apex counts.
+    /// Adds the cone to the extent of the scene. An unbounded cone adds only its part from the base
+    /// to the apex.
     fn extend(&self, extent: &mut Extent) {
         let y = self.y.unwrap_or([Real::ZERO, self.height]);
         extent.add_rings(self.origin, y, y.map(|y| self.radius_at(y).abs()));
@@ -114,16 +115,20 @@ impl AuthoredShape for Authored {
     }
 }
 
-/// A cone around the y axis, scaled to a slope of one. Its equation is `x² + z² = v²`, where x
-/// and z are multiplied by `radial`, and `v = radius - axial * y`. All scaled coordinates are
-/// halved, so that the length of every vector stays below 8.
+/// A cone around the y axis. Its coordinates are scaled so that the cone has a slope of one.
+///
+/// The equation is `x² + z² = v²`, where x and z are multiplied by `radial`, and
+/// `v = radius - axial * y`. All scaled coordinates are halved, so that every vector is shorter
+/// than 8.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Cone {
     /// Factor of x and z: 1/2, or less for a flat cone.
     pub(super) radial: Unit,
-    /// Factor of y: 1/2, or less for a steep cone. Negative if the radius grows with y.
+    /// Factor of y: 1/2, or less for a steep cone. The factor is negative if the radius grows with
+    /// y.
     pub(super) axial: Unit,
-    /// Scaled radius at the height of the center. Negative if the center is beyond the apex.
+    /// Scaled radius at the height of the center. The radius is negative if the center is beyond
+    /// the apex.
     pub(super) radius: Length,
 }
 
@@ -149,9 +154,11 @@ impl QuadricForm for Cone {
         quotient(scaled.to_bits().max(1) as u64, self.radial.to_bits() as u64).near()
     }
 
-    /// Returns the coefficients of `x² + z² - v² = 0` along a ray. For the scaled origin o and
-    /// the scaled direction d, the discriminant is the sum of the squared components of
-    /// `o × d`, with a minus sign for the component along v.
+    /// Returns the coefficients of the equation `x² + z² - v² = 0` along a ray.
+    ///
+    /// The discriminant is computed from the cross product of the scaled origin and the scaled
+    /// direction. It is the sum of the squared components for x and z, minus the squared component
+    /// for v.
     fn quadratic(&self, offset: Vec3<Length>, direction: Vec3<Unit>, shift: u8) -> Quadratic {
         let o = self.scaled(offset, shift);
         let d = scaled_by_axis(direction.map(Unit::to_bits), self.axis_scale());

@@ -27,8 +27,8 @@ impl AuthoredShape for Authored {
         self.y.map_or(Ok(()), |y| limits::interval(item, "y", y))
     }
 
-    /// Adds the cylinder to the extent. An unbounded cylinder counts as a circle at the lowest
-    /// height in the extent so far.
+    /// Adds the cylinder to the extent of the scene. An unbounded cylinder adds only one circle, at
+    /// the lowest height that the extent has so far.
     fn extend(&self, extent: &mut Extent) {
         let radii = [self.radius.to_bits(); 2];
         match self.y {
@@ -81,9 +81,9 @@ impl QuadricForm for Cylinder {
         Some(self.radius)
     }
 
-    /// Returns the equation of the ray and a circle, both projected to the plane of x and z.
-    /// The discriminant is `r² |d|² - (o × d)²`, where r is the radius, o the origin and d the
-    /// direction.
+    /// Returns the equation of a ray and a circle. The ray and the cylinder are projected to the
+    /// plane of x and z, where the cylinder is a circle. The discriminant is `r² |d|² - (o × d)²`,
+    /// where r is the radius, o the origin of the ray and d its direction.
     fn quadratic(&self, offset: Vec3<Length>, direction: Vec3<Unit>, shift: u8) -> Quadratic {
         let (o, d) = (offset, direction);
         let a = (d.x.square() + d.z.square()).to_bits();

@@ -12,7 +12,7 @@ use crate::math::{Length, Product, Real, Square, Unit, Vec3, quotient, upper_pro
 use crate::observer::ShapeKind;
 use crate::scene::{SceneError, SceneItem};
 
-/// Limit of the radii of an ellipsoid: the longest is at most 2^8 times the shortest.
+/// The longest radius of an ellipsoid is at most 2^8 times the shortest radius.
 const FLATTEST: u32 = 8;
 
 /// An ellipsoid in world units.
@@ -90,9 +90,10 @@ impl QuadricForm for Ellipsoid {
         quotient(self.radius.to_bits() as u64, smallest).near()
     }
 
-    /// Returns the equation of a ray and the sphere in scaled coordinates. The discriminant is
-    /// `r² |d|² - |o × d|²` (Lagrange's identity), where r is the radius, o the origin and d
-    /// the direction. This form keeps bits that `b² - a c` loses.
+    /// Returns the equation of a ray and the sphere in scaled coordinates.
+    ///
+    /// The discriminant is `r² |d|² - |o × d|²` (Lagrange's identity), where r is the radius, o the
+    /// origin of the ray and d its direction. This expression keeps bits that `b² - a c` loses.
     fn quadratic(&self, offset: Vec3<Length>, direction: Vec3<Unit>, _: u8) -> Quadratic {
         let o = self.scaled(offset);
         let d = scaled_by_axis(direction.map(Unit::to_bits), self.axis_scale).map(Unit::from_bits);

@@ -18,13 +18,13 @@ use crate::tests::random::{between, random_length};
 
 const CASES: usize = 200_000;
 
-/// Measures two errors for random rays: the distance of a hit from the surface, and the
-/// deviation of the normal from the gradient.
+/// Measures two errors for random rays: the distance of a hit from the exact surface, and the
+/// deviation of the computed normal from the exact normal.
 ///
-/// `names` and `bounds` have one entry for each of the two errors. `make` returns a random
-/// quadric and its dimensions. `function` returns the value and the gradient of the implicit
-/// function at a point. `conditioning` returns a factor for the direction of the ray; the error
-/// of the hit is multiplied by this factor before the comparison with the bound.
+/// `names` and `bounds` have one entry for each of the two errors. `make` returns a random quadric
+/// and its dimensions. `function` returns the value and the gradient of the quadric's implicit
+/// function at a point. `conditioning` returns a factor that depends on the direction of the ray.
+/// The error of the hit is multiplied by this factor and then compared with its bound.
 fn quadric(
     seed: u64,
     names: [&'static str; 2],
@@ -46,8 +46,8 @@ fn quadric(
         let exact = lengths(ray.origin.coordinates) + way - lengths(quadric.center);
         let (value, gradient) = function(exact, size);
         let steepness = length(gradient);
-        // Skips hits near the apex of a cone, where there is no normal, and hits farther than
-        // sqrt(3) from the center, where a prepared cone has ended.
+        // Ignores a hit near the apex of a cone, because there is no normal. Also ignores a hit
+        // farther than sqrt(3) from the center, because a prepared cone does not reach that far.
         if steepness < 0.005 || dot(exact, exact) > 3.0 {
             continue;
         }
@@ -63,7 +63,7 @@ fn quadric(
     turned.check();
 }
 
-/// Returns a random interval of y around the center, for the clamp of a quadric.
+/// Returns a random interval of y around the center. It serves as the clamp of a quadric.
 fn clamp(random: &mut Rng, center: Vec3<Length>) -> Option<[Length; 2]> {
     let half = Length::from_num(between(random, 0.05, 0.5));
     Some([center.y - half, center.y + half])
@@ -105,8 +105,8 @@ fn ellipsoids() {
     );
 }
 
-/// The error of a hit depends on the angle between the ray and the axis of the cylinder. Where
-/// the sine of the angle is below 1/8, the error grows with the reciprocal of the sine.
+/// The error of a hit depends on the angle between the ray and the axis of the cylinder. If the
+/// sine of this angle is below 1/8, the error grows with the reciprocal of the sine.
 #[test]
 fn cylinders() {
     quadric(

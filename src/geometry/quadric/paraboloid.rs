@@ -21,8 +21,9 @@ pub(in super::super) struct Authored {
 }
 
 impl Authored {
-    /// Returns the clamp without the part below the vertex, where there is no surface. A margin
-    /// of 2^-10 of the upper end keeps the vertex itself.
+    /// Returns the interval of y, without the part below the vertex, where there is no surface. The
+    /// interval still starts slightly below the vertex, by 2^-10 of its upper end, so the vertex
+    /// itself is kept.
     fn ends(&self) -> [Real; 2] {
         let [low, high] = self.y;
         [low.max(-(high >> 10_u32)), high]
@@ -48,13 +49,14 @@ impl AuthoredShape for Authored {
         normalization: &Normalization,
         item: SceneItem,
     ) -> Result<Placed<Paraboloid>, SceneError> {
-        // The height and the radius at the upper end must both be resolvable.
+        // The height and the radius at the upper end must both be at least the smallest size that
+        // the scene can resolve.
         let least = limits::least_size(normalization);
         let least = least.max(least.saturating_mul(least));
         limits::range(item, "y[1]", self.y[1], [least, FARTHEST])?;
         let y = self.ends();
-        // The equation of the prepared surface is x² + z² = y 2^exponent. Multiplying x and z
-        // by 2^-shift makes the exponent at most 0.
+        // After scaling, the equation of the paraboloid is x² + z² = y 2^exponent. Multiplying x
+        // and z by 2^-shift makes the exponent 0 or negative.
         let shift = (normalization.exponent.max(0) + 1) / 2;
         let form = Paraboloid {
             radius_squared: I8F56::from_bits(
@@ -67,18 +69,18 @@ impl AuthoredShape for Authored {
     }
 }
 
-/// Returns the square root of a positive number, rounded up. The number is shifted from Q32 to
-/// Q40, so its root has Q20, and the result is shifted to Q32.
+/// Returns the square root of a positive number, rounded up. The number is shifted from Q32 to Q40,
+/// so its root has Q20. The root is then shifted to Q32.
 fn root(x: Real) -> i64 {
     (i64::from(square_root((x.to_bits() as u64) << 8)) + 1) << 12
 }
 
-/// A paraboloid around the y axis: `x² + z² = g y + r²`, where r is the radius at the center
-/// and g the growth of the squared radius along y. The coordinates x and z are multiplied by a
-/// power of two that makes g at most 1.
+/// A paraboloid around the y axis: `x² + z² = g y + r²`. The radius at the center is r, and g is
+/// the growth of the squared radius along y. The coordinates x and z are multiplied by a power of
+/// two, so that g is at most 1.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Paraboloid {
-    /// Square of the radius at the center, which is scaled like x and z.
+    /// Square of the radius at the center. The radius is scaled like x and z.
     pub(super) radius_squared: I8F56,
     /// The coordinates x and z are multiplied by `2^-shift`.
     pub(super) shift: u8,

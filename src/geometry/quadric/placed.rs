@@ -11,8 +11,8 @@ pub(in super::super) struct Placed<F> {
 impl<F> Placed<F> {
     /// Places a form that is clamped to the interval `y` above `origin`.
     ///
-    /// The center is in the middle of the interval, so a clamp far from the origin loses no
-    /// precision.
+    /// The center of the quadric is put in the middle of the interval, so an interval far from
+    /// `origin` loses no precision.
     pub(super) fn clamped(
         origin: Vec3<Real>,
         y: [Real; 2],

@@ -2,8 +2,8 @@ use crate::math::{
     Length, Product, SoftFloat, Unit, Vec3, inverse_length_outlined, quotient, rounded, wide,
 };
 
-/// The quadratic equation `a t² + 2 b t + c = 0`. Its roots t are the distances at which a ray
-/// hits a quadric. The implicit function of the quadric is positive outside.
+/// The quadratic equation `a t² + 2 b t + c = 0`. Its roots are the distances t at which a ray hits
+/// a quadric. Outside of the quadric, the left side is positive.
 #[derive(Clone, Copy, Debug)]
 pub(in super::super) struct Quadratic {
     /// Coefficient of t², in Q60, within ±1.
@@ -12,8 +12,8 @@ pub(in super::super) struct Quadratic {
     pub(super) b: i64,
     /// Constant term, in Q56.
     pub(super) c: i64,
-    /// The value of `b² - a c`, in Q56. It is computed from another formula, because this
-    /// difference loses bits.
+    /// The value of `b² - a c`, in Q56. Each quadric computes it with another formula, because this
+    /// subtraction loses bits.
     pub(super) discriminant: i64,
 }
 
@@ -31,7 +31,7 @@ impl Quadratic {
             c,
             discriminant,
         } = self;
-        // If all coefficients have one sign, the ray moves away from the surface.
+        // If `a`, `b` and `c` all have the same sign, no root is positive.
         if discriminant < 0 || (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0) {
             return [None, None];
         }
@@ -46,10 +46,9 @@ impl Quadratic {
 
     /// Returns the root other than 0 for a ray that starts on the surface, where c is 0.
     ///
-    /// A ray through the inside always has another root, except within a cone, where a may be
-    /// negative. If rounding makes a grazing ray seem to leave the inside, the ray hits the
-    /// surface at once. A ray on the outside can hit the surface again only on a double cone,
-    /// where a is negative, too.
+    /// If `a` is negative, which is possible only for a cone, the ray may hit the other half of the
+    /// double cone or nothing. Otherwise, only a ray through the inside hits the surface again. If
+    /// rounding makes such a ray seem to leave the inside, the result is 0.
     pub(super) fn other_root(&self, is_inside: bool) -> Option<SoftFloat> {
         if self.a < 0 {
             return ratio(-2 * self.b, self.a);
@@ -63,8 +62,8 @@ pub(super) fn moment(o: Vec3<Length>, d: Vec3<Unit>) -> Vec3<Length> {
     o.cross(d)
 }
 
-/// Multiplies each component of a vector by a factor of its own, rounded. The vector may be in
-/// any unit.
+/// Multiplies each component of a vector by its own factor and rounds the products. The vector may
+/// be in any unit.
 pub(super) fn scaled_by_axis(v: Vec3<i32>, factors: Vec3<Unit>) -> Vec3<i32> {
     v.zip(factors, |c, k| rounded::<30>(c.product(k.to_bits())))
 }
@@ -77,7 +76,7 @@ fn root(square: u64) -> i64 {
     (wide(inverse.normalized, inverse.inverse) >> (1 + inverse.half_shift)) as i64
 }
 
-/// Returns `2^30 n / d`, or `None` if the quotient is not positive.
+/// Returns `2^30 n / d`, or `None` if this value is not positive.
 fn ratio(n: i64, d: i64) -> Option<SoftFloat> {
     if n == 0 || d == 0 || (n < 0) != (d < 0) {
         return None;

@@ -23,8 +23,8 @@ impl Authored {
         U0F32::from_bits(self.ratio.to_bits() as u32)
     }
 
-    /// Checks that the smallest spheres of the flake are not below the smallest size that the
-    /// scene resolves.
+    /// Checks that the smallest spheres of the flake are large enough for the resolution of the
+    /// scene.
     fn check_smallest_spheres(
         &self,
         normalization: &Normalization,
@@ -92,8 +92,8 @@ impl AuthoredShape for Authored {
     }
 }
 
-/// Returns the axes u and v of a frame, made exactly orthonormal. Returns `None` if the three
-/// rows of the frame are not nearly orthonormal and right-handed.
+/// Returns the axes u and v of a frame, corrected to be exactly orthonormal. Returns `None` if the
+/// three rows of the frame are not nearly orthonormal or not right-handed.
 fn orthonormal([u, v, w]: [Vec3<Real>; 3]) -> Option<[Vec3<Unit>; 2]> {
     /// Tolerance for rows that are written with three digits.
     const MARGIN: Real = Real::lit("0.001");

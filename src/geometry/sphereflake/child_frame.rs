@@ -1,15 +1,15 @@
 //! The directions and frames of the twelve children of a sphere.
 //!
-//! The directions point to the vertices of a cuboctahedron: six are around the equator, three
-//! are above the equator, and three opposite ones are below it.
+//! The directions point to the twelve vertices of a cuboctahedron. Six vertices are on the equator
+//! and three are above it. The other three are below the equator, opposite the upper ones.
 
 use crate::math::{Product, Unit, Vec3, high};
 
-/// The smallest rotation from the parent's axis w to the direction a of a child.
+/// The rotation from the parent's axis w to the direction `a` of a child, by the smallest angle.
 ///
-/// The axes of the parent are u, v and w. The rotation takes u to
-/// `u - a.u / (1 + a.w) (w + a)`, and v likewise. Its matrix is symmetric, except for the last
-/// row and column, which are a and -a.
+/// The axes of the parent are `u`, `v` and `w`. The rotation takes `u` to
+/// `u - a.u / (1 + a.w) (w + a)`, and the same formula with `v` gives the new `v`. The matrix of
+/// the rotation is symmetric, except for the last row and the last column, which are `a` and `-a`.
 #[derive(Clone, Copy)]
 struct ChildFrame {
     axis: Vec3<Unit>,
@@ -21,15 +21,15 @@ struct ChildFrame {
     uv: Unit,
 }
 
-/// sqrt(3/4), the sine of the angle of 60° between neighbors on the equator.
+/// sqrt(3/4), the sine of 60°. This is the angle between two neighbors on the equator.
 pub(super) const EQUATOR: Unit = Unit::lit("0.866025403784438646763723");
 /// sqrt(1/12), half the cosine of the elevation of the upper children, which is atan(sqrt 2).
 pub(super) const HALF_COSINE: Unit = Unit::lit("0.288675134594812882254575");
 /// sqrt(2/3), the sine of the elevation of the upper children.
 pub(super) const ELEVATION: Unit = Unit::lit("0.816496580927726032732428");
 
-/// Frames of the children, indexed by the number of the child, 1 to 12. The other entries are
-/// not used.
+/// Frames of the children, indexed by the number of the child, 1 to 12. The remaining entries of
+/// the array are not used.
 static FRAMES: [ChildFrame; 16] = {
     const fn unit(bits: i64) -> Unit {
         Unit::from_bits(bits as i32)
@@ -73,8 +73,8 @@ static FRAMES: [ChildFrame; 16] = {
 };
 
 fn frame(child: u32) -> &'static ChildFrame {
-    // The number of a child has four bits in a path. The mask lets the compiler omit the bounds
-    // check.
+    // In a path, the number of a child has four bits. The mask makes this known to the compiler,
+    // which then omits the bounds check.
     &FRAMES[child as usize & 15]
 }
 
@@ -83,14 +83,14 @@ pub(super) fn axis(child: u32) -> Vec3<Unit> {
     frame(child).axis
 }
 
-/// Returns the sum of three products with a Q30 factor, in the format of the other factor. The
-/// lowest two bits of the result are zero.
+/// Returns the sum of three products. One factor of each product has Q30. The sum has the format of
+/// the other factors. Its lowest two bits are zero.
 fn sum([x, y, z]: [(i32, Unit); 3]) -> i32 {
     let product = |(c, factor): (i32, Unit)| c.product(factor.to_bits());
     high(product(x) + product(y) + product(z)) << 2
 }
 
-/// Rotates a vector from the parent's frame to the child's. The vector may be in any unit.
+/// Converts a vector from the parent's frame to the child's frame. The vector may be in any unit.
 pub(super) fn to_child(Vec3 { x, y, z }: Vec3<i32>, child: u32) -> Vec3<i32> {
     let ChildFrame { axis, u, v, uv } = *frame(child);
     Vec3::new(
@@ -100,7 +100,7 @@ pub(super) fn to_child(Vec3 { x, y, z }: Vec3<i32>, child: u32) -> Vec3<i32> {
     )
 }
 
-/// Rotates a vector from the child's frame to the parent's. The vector may be in any unit.
+/// Converts a vector from the child's frame to the parent's frame. The vector may be in any unit.
 #[inline]
 pub(super) fn to_parent(Vec3 { x, y, z }: Vec3<i32>, child: u32) -> Vec3<i32> {
     let ChildFrame { axis, u, v, uv } = *frame(child);

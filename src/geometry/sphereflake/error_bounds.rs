@@ -26,7 +26,8 @@ fn center_of(path: u32, radius: f64, ratio: f64) -> (Floats, f64) {
     let mut left = path;
     while left != 0 {
         let child = (left & 15) - 1;
-        // Azimuth and height of the first six children. The other six are opposite to them.
+        // The next lines compute the azimuth and the height of one of the first six children. The
+        // other six children are opposite to these.
         let azimuth = [0.0_f64, 60.0, 120.0, 30.0, 150.0, 270.0][child as usize % 6].to_radians();
         let height = if child % 6 < 3 {
             0.0

@@ -12,9 +12,9 @@ pub(super) type Radii = I3F29;
 /// Largest number of generations of spheres below the root sphere.
 pub(crate) const MAX_DEPTH: u8 = 8;
 
-/// The path from the root sphere to a sphere of the flake. Each generation has four bits, which
-/// are the number of the child, 1 to 12. The first generation has the lowest four bits. The
-/// root sphere has the path 0.
+/// The path from the root sphere to a sphere of the flake. A path has four bits for each
+/// generation, which hold the number of the child, 1 to 12. The lowest four bits are for the first
+/// generation. The root sphere has the path 0.
 pub(super) type NodePath = u32;
 
 /// The independent parameters of a sphereflake.
@@ -23,7 +23,8 @@ pub(super) struct SphereflakeParams {
     pub(super) center: Vec3<Length>,
     /// Axes u and v of the root sphere; w is their cross product.
     pub(super) frame: [Vec3<Unit>; 2],
-    /// Radius of the root sphere. It is so small that the whole flake is within ±1.
+    /// Radius of the root sphere. The radius is so small that all coordinates of the flake are
+    /// within ±1.
     pub(super) radius: U0F32,
     /// Radius of a sphere divided by that of its parent: 0.1 to 0.5.
     pub(super) ratio: U0F32,
@@ -32,7 +33,7 @@ pub(super) struct SphereflakeParams {
 }
 
 impl SphereflakeParams {
-    /// Returns true if every parameter is in the range that tracing relies on.
+    /// Returns true if every parameter is in the range for which tracing is correct.
     #[inline(never)]
     pub(super) fn is_valid(&self) -> bool {
         let [u, v] = &self.frame;
@@ -78,8 +79,9 @@ pub(crate) struct Sphereflake {
     /// Distance from the center of a sphere to the center of its child, in radii of the sphere:
     /// 1.1 to 1.5.
     pub(super) step: Unit,
-    /// Distance from the center of a child to the center of its parent, as a negative number:
-    /// `-(1 / ratio + 1)` radii of the child, divided by 2^shift.
+    /// Scaled distance from the center of a child to the center of its parent, as a negative
+    /// number. In radii of the child, the distance is `1 / ratio + 1`. The scale divides it by
+    /// `2^shift`.
     pub(super) back: Radii,
     pub(super) steps: Steps,
     /// Radius of the bounding sphere, in radii of the root sphere.
@@ -100,7 +102,7 @@ impl Sphereflake {
         let [u, v] = frame;
         let w = u.cross(v).map(round_unit::<30>);
         let inverse_ratio = inverse(ratio);
-        // The reciprocal is shifted from Q30 to Q29. In Q29, `one` is 2^-shift.
+        // The reciprocal is shifted from Q30 to Q29. The constant `one` is 2^-shift in Q29.
         let one = (1_i32 << 29).unbounded_shr(ratio.leading_zeros());
         let back = (inverse_ratio.to_bits() >> 1) + one;
         let step = Unit::from_bits((1 << 30) + ((ratio.to_bits() >> 1).div_ceil(2)) as i32);
@@ -144,8 +146,8 @@ impl Sphereflake {
         U1F15::from_bits(((self.step.to_bits() + (1 << 14)) >> 15) as u16)
     }
 
-    /// Converts a vector from the frame of the scene to the frame of the root sphere. `along`
-    /// computes the dot product of a vector with an axis.
+    /// Converts a vector from the frame of the scene to the frame of the root sphere. The argument
+    /// `along` is a function that returns the dot product of a vector with an axis.
     pub(super) fn world_to_local<T: Copy + Neg<Output = T>>(
         &self,
         v: Vec3<T>,
@@ -172,9 +174,8 @@ impl Sphereflake {
     }
 }
 
-/// Returns the radius of the bounding sphere of a flake, in radii of its root sphere, rounded
-/// up. The center of a child is `1 + ratio` away, and the bound of the child's subtree, in
-/// radii of the child, is that of a flake with one generation less.
+/// Returns the radius of the bounding sphere of a flake, rounded up. The unit is the radius of the
+/// root sphere. The function starts with a flake of one sphere and adds one generation at a time.
 #[inline(never)]
 pub(super) fn bounding_radius(ratio: U0F32, depth: u8) -> Radii {
     let ratio = u64::from(ratio.to_bits());
@@ -182,9 +183,12 @@ pub(super) fn bounding_radius(ratio: U0F32, depth: u8) -> Radii {
     Radii::from_bits((bound as i32 + 1) << 1)
 }
 
-/// Returns the bounding radius of a subtree in radii of its top sphere, given the bounding
-/// radius of the children's subtrees in their own radii, U4F28. Kept out of line: otherwise the
-/// compiler unrolls the loop over the generations.
+/// Returns the bounding radius of a sphere with its descendants, in radii of that sphere. The
+/// argument `child` is the bounding radius of a child with its descendants, in radii of the child.
+/// Both numbers have the format U4F28.
+///
+/// The center of the child is `1 + ratio` away, so the result is `1 + ratio + ratio * child`. The
+/// function is not inlined, because the compiler would then unroll the loop over the generations.
 #[inline(never)]
 fn parent_bound(child: u64, ratio: u64) -> u64 {
     (1 << 28) + (ratio >> 4) + ((ratio * child) >> 32) + 2
@@ -199,8 +203,8 @@ fn inverse(x: U0F32) -> Unit {
     Unit::from_bits(half.min(i32::MAX as u32) as i32)
 }
 
-/// Components of the vectors from a sphere to its children, in 16 bits. The vectors are
-/// `1 + ratio` long; this length is stored in a field of the flake.
+/// Components of the vectors from the center of a sphere to the centers of its children. Each
+/// component has 16 bits. The length of these vectors, `1 + ratio`, is a field of [`Sphereflake`].
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Steps {
     half_cosine: U1F15,
@@ -218,10 +222,10 @@ impl Steps {
         }
     }
 
-    /// Returns the dot products of a 16-bit vector with the vectors to the first six children.
-    /// The components of the vectors to the children have Q15, and each product is shifted
-    /// right by `shift`. The dot products for the other six children are the negatives of
-    /// these.
+    /// Returns the dot products of `v` with the vectors to the first six children. The components
+    /// of `v` have 16 bits, and those of the vectors to the children have Q15. Each product is
+    /// shifted right by `shift`. The dot products for the other six children are the negatives of
+    /// the results.
     pub(super) fn dots(&self, step: U1F15, v: Vec3<i32>, shift: u32) -> [i32; 6] {
         let part = |c: i32, k: U1F15| (c * i32::from(k.to_bits())) >> shift;
         let x = part(v.x, step);

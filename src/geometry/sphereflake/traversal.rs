@@ -8,13 +8,14 @@ use crate::math::{high, upper_word};
 
 /// A traversal of the tree of spheres by a ray. It visits nearer children first.
 ///
-/// The two lists are borrowed, so that constructing a traversal does not zero them.
+/// The traversal borrows its two lists, so that constructing a traversal does not fill them with
+/// zeros.
 pub(super) struct Traversal<'w> {
     pub(super) flake: &'w Sphereflake,
     pub(super) nodes: &'w mut NodeStack,
     pub(super) pending: &'w mut PendingChildren,
     pub(super) query: Query,
-    /// Path of the sphere that the ray starts on, which does not count as a hit.
+    /// Path of the sphere that the ray starts on. This sphere does not count as a hit.
     pub(super) origin: NodePath,
     /// Largest distance of interest, in units of 2^-28.
     pub(super) t_max: i32,
@@ -36,20 +37,20 @@ pub(super) enum Query {
 /// Stack of nodes, from the root sphere to the current sphere.
 pub(super) type NodeStack = Vec<Node, { MAX_DEPTH as usize + 1 }>;
 
-/// Children that are still to be visited, nearest last. The list has up to twelve children of
-/// the deepest level and up to eleven of each level above it.
+/// Children that are still to be visited. The nearest child is the last entry. The list has up to
+/// twelve children of the deepest level and up to eleven children of each level above.
 pub(super) type PendingChildren = Vec<i32, { 11 * MAX_DEPTH as usize + 1 }>;
 
 /// Children whose bounding sphere the line of a ray may cross.
 ///
-/// A foot is the point of the line that is nearest to the center of a sphere. The upper 16 bits
-/// of an entry are the distance from the parent's foot to the child's foot, in radii of the
-/// parent, Q14. The lower bits are the level of the parent and the number of the child, four
-/// bits each.
+/// The foot of a sphere is the point of the line that is nearest to the center of the sphere. The
+/// upper 16 bits of an entry are the distance from the parent's foot to the child's foot, in radii
+/// of the parent and in Q14. The lower bits are the level of the parent (four bits) and the number
+/// of the child (four bits).
 type Candidates = Vec<i32, 12>;
 
-/// Flag of a child whose sphere the line is certain to cross. The line of other candidates may
-/// only cross the bounding sphere of the child's subtree.
+/// Flag which means that the line is certain to cross the sphere of the child. Without this flag,
+/// the line may only cross the bounding sphere of the child's subtree.
 const CERTAIN: i32 = 1 << 8;
 
 /// Error bound of squares that are computed with 16-bit factors: 34 * 2^-14, in Q27.
@@ -75,9 +76,9 @@ impl Traversal<'_> {
         }
     }
 
-    /// Adds the children whose bounding sphere the ray crosses before `t_max` to the list of
-    /// pending children. Returns true if the query asks for any hit and a child is certain to
-    /// be hit.
+    /// Adds children to the list of pending children, if the ray crosses their bounding sphere
+    /// before `t_max`. Returns true if the query asks for any hit and the ray is certain to hit a
+    /// child.
     pub(super) fn descend(&mut self, foot_squared: i64) -> bool {
         let level = self.nodes.len() as u32 - 1;
         if level >= u32::from(self.flake.depth) {
@@ -117,11 +118,11 @@ impl Traversal<'_> {
     }
 }
 
-/// Inserts a child into the part of the list that starts at the index `first`. That part is
-/// sorted in descending order.
+/// Inserts a child into the list. The part of the list from the index `first` on is kept in
+/// descending order.
 fn insert(pending: &mut PendingChildren, first: usize, child: i32) {
     let is_only = pending.len() == first;
-    // The push cannot fail, because the capacity suffices for every tree.
+    // The push cannot fail, because the list has room for all pending children of any tree.
     let _ = pending.push(child);
     if is_only {
         return;
@@ -139,16 +140,16 @@ fn insert(pending: &mut PendingChildren, first: usize, child: i32) {
     }
 }
 
-/// Returns the distance from the ray's origin to a child's foot, in units of 2^-28. The foot is
-/// the point of the ray nearest to the center of the child.
+/// Returns the distance from the ray's origin to a child's foot, in units of 2^-28. The child's
+/// foot is the point of the ray nearest to the center of the child.
 #[inline(always)]
 fn foot_distance(parent: &Node, candidate: i32) -> i32 {
     // The upper word of the product of Q30 and Q31 has Q29, which is shifted to Q28.
     high(parent.distance) + (upper_word(candidate, parent.radius.to_bits()) >> 1)
 }
 
-/// Returns the distance along the ray that a child's subtree reaches from the child's foot, in
-/// units of 2^-28, rounded up.
+/// Returns how far a child's subtree can extend along the ray, measured from the child's foot. The
+/// result is in units of 2^-28 and rounded up.
 #[inline(always)]
 fn child_reach(parent: &Node, flake: &Sphereflake) -> i32 {
     let bound = parent.child_bound(flake).to_bits() + FARTHER_MARGIN;
@@ -156,12 +157,13 @@ fn child_reach(parent: &Node, flake: &Sphereflake) -> i32 {
     upper_word(bound, parent.radius.to_bits()) + 3
 }
 
-/// Finds the children whose bounding sphere the line of a ray may cross, with 16-bit factors.
+/// Finds the children whose bounding sphere the line of a ray may cross. The computation uses
+/// 16-bit factors.
 ///
-/// Let l be the foot, d the direction of the ray, a the direction of the child,
-/// `step = 1 + ratio` and `b = step d·a`. The squared distance of the child's center from the
-/// line is `l² + step² - 2 step l·a - b²`. The children are six pairs of opposites, and the two
-/// children of a pair share their dot products.
+/// Let `l` be the foot, `d` the direction of the ray, `a` the direction of a child,
+/// `step = 1 + ratio` and `b = step d·a`. The squared distance of the child's center from the line
+/// is `l² + step² - 2 step l·a - b²`. The children form six pairs. The two children of a pair are
+/// opposite, so their dot products differ only in sign and are computed once.
 #[inline(always)]
 fn find_candidates(
     node: &Node,
@@ -185,8 +187,8 @@ fn find_candidates(
     for ((pair, farther), nearer) in (1..).zip(farther).zip(nearer) {
         // The square of a Q14 number has Q28 and is shifted to Q27.
         let square = (farther * farther) >> 1;
-        // The complement of a negative number replaces its magnitude. It is off by one unit at
-        // most, which the margin includes.
+        // Instead of the magnitude of a negative number, its bitwise complement is used. It differs
+        // from the magnitude by one, which the margin includes.
         let sign = nearer >> 31;
         let nearer = nearer ^ sign;
         if square + nearer < least {
@@ -214,8 +216,8 @@ mod tests {
     use super::*;
     use crate::math::{Length, Unit, Vec3, direction, high};
 
-    /// Checks the memory figure in docs/fixed-point.md. Targets with short pointers need less
-    /// memory.
+    /// Checks the number of bytes that docs/fixed-point.md states for a traversal. Targets with
+    /// pointers shorter than those of a PC need fewer bytes.
     #[test]
     fn traversal_memory_is_as_documented() {
         let size = size_of::<NodeStack>() + size_of::<PendingChildren>();
@@ -252,8 +254,8 @@ mod tests {
         })
     }
 
-    /// Checks that the search with 16-bit factors misses no child, and that a line hits every
-    /// child that is marked as certain.
+    /// Checks that the search with 16-bit factors finds every child that the line may cross. Also
+    /// checks that the line hits every child that is marked as certain.
     #[test]
     fn sixteen_bit_factors_find_all_children() {
         let mut random = fastrand::Rng::with_seed(1);
@@ -311,7 +313,7 @@ mod tests {
         }
         let [found, met, certain] = seen;
         assert!(met > 100_000 && certain > 10_000, "{seen:?}");
-        // The search finds at most 5 % more children than the lines cross.
+        // The search finds at most 5 % more children than the lines really cross.
         assert!(found < met + met / 20, "{seen:?}");
     }
 }

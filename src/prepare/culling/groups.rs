@@ -8,11 +8,11 @@ use crate::prepare::Object;
 /// Number of neighboring objects that share one bounding sphere.
 pub(crate) const GROUP: usize = 8;
 
-/// Greatest number of bounded objects that are tested one by one. Groups only pay off in larger
-/// scenes.
+/// Greatest number of bounded objects that are tested one by one. With more objects, it is
+/// faster to test groups of objects first.
 pub(crate) const SMALL_SCENE: usize = 2 * GROUP;
 
-/// Fills the lists of bounded objects, of unbounded objects, and of the groups of bounded
+/// Fills three lists: the bounded objects, the groups of bounded objects, and the unbounded
 /// objects.
 pub(in crate::prepare) fn list_objects(
     objects: &[Object],
@@ -22,7 +22,8 @@ pub(in crate::prepare) fn list_objects(
 ) {
     bounded.clear();
     unbounded.clear();
-    // Each of these lists has the capacity of the list of objects, so no push fails.
+    // Each of the three lists can hold as many entries as the list of objects, so no push
+    // fails.
     for (object, index) in objects.iter().zip(0..) {
         let Some(bound) = object.shape.bounding_sphere() else {
             let _ = unbounded.push(index);
@@ -39,8 +40,8 @@ pub(in crate::prepare) fn list_objects(
     }
 }
 
-/// Sorts spheres into groups: each group consists of its first sphere and the nearest neighbors
-/// of that sphere.
+/// Sorts spheres into groups. Each group consists of one sphere and its nearest neighbors among
+/// the spheres that are not in an earlier group.
 fn group_neighbors(mut spheres: &mut [CullSphere]) {
     let Some(mut first) = spheres.first().copied() else {
         return;

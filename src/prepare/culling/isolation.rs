@@ -2,7 +2,7 @@ use crate::geometry::{SurfaceFlags, Texture};
 use crate::prepare::{Material, Object};
 
 /// Marks each transparent sphere that no other object touches or enters. A ray inside such a
-/// sphere needs to be tested against this sphere only.
+/// sphere can hit only the sphere itself, so the ray is not tested against other objects.
 pub(in crate::prepare) fn mark_isolated(objects: &mut [Object], materials: &[Material]) {
     let transmits = |index: u16| {
         let material = materials.get(usize::from(index));

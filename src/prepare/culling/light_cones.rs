@@ -1,8 +1,9 @@
 use crate::geometry::LightCone;
 use crate::prepare::{Light, Object};
 
-/// Computes a cone around each bounded object as seen from each light. Also marks the lights
-/// from which an unbounded object may occlude a bounded object.
+/// For each light and each bounded object, computes the cone that starts at the light and
+/// encloses the object. Also marks each light that an unbounded object may hide from a
+/// bounded object.
 pub(in crate::prepare) fn build_light_cones(
     lights: &mut [Light],
     objects: &[Object],

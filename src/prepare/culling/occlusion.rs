@@ -2,8 +2,8 @@ use crate::geometry::{BoundingSphere, SurfaceFlags};
 use crate::math::{Length, Product, Square, Vec3, square_root};
 use crate::prepare::{Light, Object};
 
-/// Marks each sphere that no object can occlude from a light. Points of such a sphere that face
-/// the light need no shadow ray.
+/// For each light, marks the spheres that no other object can hide from the light. A point of a
+/// marked sphere needs no shadow ray if it faces the light.
 pub(in crate::prepare) fn mark_unoccluded(lights: &mut [Light], objects: &mut [Object]) {
     for (light, index) in lights.iter_mut().zip(0..) {
         light.unoccluded = SurfaceFlags::unoccluded_from(index);
@@ -16,8 +16,8 @@ pub(in crate::prepare) fn mark_unoccluded(lights: &mut [Light], objects: &mut [O
     }
 }
 
-/// Returns true if the object at `index` is a sphere and no other object can occlude it from
-/// the light.
+/// Returns true if the object at `index` is a sphere that no other object can hide from the
+/// light.
 fn is_unoccluded(light: Vec3<Length>, objects: &[Object], index: usize) -> bool {
     let sphere = objects
         .get(index)
@@ -45,8 +45,8 @@ fn is_unoccluded(light: Vec3<Length>, objects: &[Object], index: usize) -> bool 
 struct Silhouette {
     to_center: Vec3<Length>,
     radius: Length,
-    /// Length of the tangents from the point to the sphere. All points of the sphere that can
-    /// be seen from the point are at most this far away.
+    /// Length of the tangents from the point to the sphere. No part of the sphere that is
+    /// visible from the point is farther away than this length.
     tangent: Length,
 }
 
@@ -64,13 +64,14 @@ impl Silhouette {
         })
     }
 
-    /// Returns true if this sphere may hide a part of the other sphere's side that faces the
+    /// Returns true if this sphere may cast a shadow on the side of `sphere` that faces the
     /// light.
     ///
-    /// Seen from the light, each sphere fills a cone. The half angles of the two cones are a
-    /// and b. The cones do not overlap if the angle between their axes is above a + b. The code
-    /// compares the cosines of these two angles, both multiplied by the distances of both
-    /// centers, and uses `cos(a + b) = cos a cos b - sin a sin b`.
+    /// Seen from the light, each sphere fills a cone. The half angles of the two cones are `a`
+    /// and `b`. The cones do not overlap if the angle between their axes is above `a + b`. The
+    /// code compares the cosine of the angle between the axes with `cos(a + b) = cos a cos b -
+    /// sin a sin b`. To avoid a division, both sides are multiplied by the distances of the two
+    /// centers from the light.
     fn may_occlude(&self, sphere: &Self) -> bool {
         /// Margin that exceeds the sum of all rounding errors.
         const MARGIN: Length = Length::lit("0.00001");

@@ -24,8 +24,7 @@ fn floor(y: f64) -> Object {
 
 #[test]
 fn neighbors_share_a_group() {
-    // The objects form three clusters and are listed in turns: one from each cluster, then the
-    // next.
+    // The objects form three clusters. The list takes one object from each cluster in turn.
     let mut objects = [(); 3 * GROUP].map(|()| sphere(0.0, OPAQUE));
     for (number, object) in objects.iter_mut().enumerate() {
         let cluster = (number % 3) as f64 - 1.0;
@@ -64,8 +63,8 @@ fn isolated<const N: usize>(mut objects: [Object; N]) -> [bool; N] {
 fn glass_is_isolated_if_nothing_reaches_into_it() {
     let (left, right) = (sphere(-0.25, GLASS), sphere(0.251, GLASS));
     assert_eq!(isolated([left, right, floor(0.251)]), [true, true, false]);
-    // The left sphere is not isolated if another object touches, encloses or cuts it, or if it
-    // is opaque.
+    // The left sphere is not isolated if another object touches, encloses or cuts it. An
+    // opaque sphere is never isolated.
     assert_eq!(isolated([left, sphere(0.25, GLASS)]), [false, false]);
     assert_eq!(isolated([left, sphere(-0.25, OPAQUE)]), [false, false]);
     assert_eq!(isolated([left, floor(0.25)]), [false, false]);
@@ -73,8 +72,8 @@ fn glass_is_isolated_if_nothing_reaches_into_it() {
     assert_eq!(isolated([sphere(0.0, OPAQUE)]), [false]);
 }
 
-/// Marks objects that nothing can occlude from a light at `x` on the x axis, and returns which
-/// objects are marked.
+/// Places a light at `x` on the x axis and marks the objects that no other object can hide
+/// from the light. Returns which objects are marked.
 fn unoccluded<const N: usize>(mut objects: [Object; N], x: f64) -> [bool; N] {
     let mut lights = [Light {
         position: Vec3::new(Length::from_num(x), Length::ZERO, Length::ZERO),
@@ -101,7 +100,8 @@ fn objects_in_front_are_unoccluded() {
     assert!(!SurfaceFlags::unoccluded_from(8).intersects(SurfaceFlags::unoccluded_from(7)));
 }
 
-/// Checks the marked spheres with shadow rays in double precision.
+/// Uses shadow rays in double precision to check that no sphere hides a marked sphere from the
+/// light.
 #[test]
 fn unoccluded_spheres_are_lit() {
     let random = &mut Rng::with_seed(1);

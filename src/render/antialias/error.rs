@@ -5,7 +5,7 @@ use super::pattern::MAX_SIDE;
 /// Reason why an [`AntialiasedRenderer`](super::AntialiasedRenderer) cannot be created.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AntialiasError {
-    /// The memory has fewer samples than two lines of the picture have pixels.
+    /// The memory has too few samples. Each pixel of two lines needs one sample.
     TooLittleMemory {
         /// Number of samples that two lines of the picture need.
         samples: usize,

@@ -1,25 +1,28 @@
 use crate::math::{Color, Real};
 use crate::observer::{Observer, RayKind, RayNode};
 
-/// Observer that hashes the object, its material and the incident lights where a camera ray hits.
+/// An observer that computes a hash for each camera ray. The hash depends on the object that the
+/// ray hits, on the material of the object, and on the lights that illuminate the hit.
 ///
-/// Objects seen by reflection or refraction do not change the hash, because their edges are
-/// numerous and often faint. The comparison of colors finds their visible edges.
+/// Objects that are seen by reflection or refraction do not change the hash, because their edges
+/// are numerous and often faint. The comparison of colors finds those edges that are clearly
+/// visible.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Fingerprint {
     /// Hash of the most recent camera ray.
     pub(super) hash: u32,
     /// Hash of the shadow rays of the current camera ray.
     lights: u32,
-    /// True from the start of a camera ray until the tracer reports its node.
+    /// True from the start of a camera ray until the tracer reports the node of this ray.
     is_camera_ray: bool,
 }
 
 /// Transmittance of an unobstructed shadow ray.
 const WHITE: Color<Real> = Color::gray(Real::ONE);
 
-/// Adds a number to a hash. The hash is multiplied by the golden ratio (Knuth 1973) and rotated, so
-/// that its high bits affect the low bits of the next product.
+/// Adds a number to a hash. Multiplies the hash by the golden ratio (Knuth 1973) and rotates the
+/// product. Because of the rotation, the high bits of this product affect the low bits of the next
+/// product.
 fn mix(hash: u32, number: u32) -> u32 {
     (hash ^ number).wrapping_mul(0x9e37_79b1).rotate_left(15)
 }
@@ -32,9 +35,9 @@ impl Observer for Fingerprint {
     }
 
     fn shadow(&mut self, light: u16, transmittance: Option<Color<Real>>) {
-        // A light behind the surface gets no shadow ray. For the hash, such a light counts like an
-        // unobstructed one: shading is smooth where a surface turns away from a light, so there is
-        // no edge.
+        // No shadow ray is traced to a light behind the surface. The hash treats such a light as
+        // unobstructed. Shading is smooth where a surface turns away from a light, so there is no
+        // edge there.
         if self.is_camera_ray && transmittance != Some(WHITE) {
             // The shift undoes a conversion: the tracer computes transmittance in Q15 and reports
             // it in Q32.

@@ -1,4 +1,4 @@
-/// Number of rows and columns of the grid of sample positions in a pixel.
+/// Each pixel has a grid of sample positions. This is the number of its rows and of its columns.
 pub(super) const GRID: u32 = 8;
 
 /// Greatest width and height of an antialiased picture in pixels. [`GRID`] times this number must
@@ -7,9 +7,9 @@ pub(super) const MAX_SIDE: u32 = crate::render::camera_rays::MAX_SIDE / GRID;
 
 /// Number of additional rays for a pixel at an edge, besides the ray through its center.
 ///
-/// The rays go through cells of an 8x8 grid and are spread evenly over the rows and columns of the
-/// grid. The more columns and rows contain a ray, the more gray levels a nearly vertical or nearly
-/// horizontal edge gets.
+/// Each ray goes through one cell of an 8x8 grid. The rays are spread evenly over the rows and
+/// columns of the grid. Nearly vertical edges get more gray levels if more columns contain a ray.
+/// Nearly horizontal edges get more gray levels if more rows contain a ray.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum SampleCount {
     /// Four rays in a rotated square. No two of them share a row or a column.
@@ -22,10 +22,10 @@ pub enum SampleCount {
 type Rows = [&'static [u32]; GRID as usize];
 
 impl SampleCount {
-    /// Returns, for each row of the grid, the columns of its rays in ascending order.
+    /// For each row of the grid, returns the columns that contain a ray, in ascending order.
     pub(super) fn rows(self) -> &'static Rows {
-        // These patterns were found by trial. Among point-symmetric patterns, their pictures came
-        // closest to pictures with 256 rays per pixel.
+        // These patterns were found by experiment. Of the point-symmetric patterns, these gave the
+        // pictures most similar to pictures with 256 rays per pixel.
         const FOUR: Rows = [&[2], &[], &[7], &[], &[], &[0], &[], &[5]];
         const SIXTEEN: Rows = [
             &[1, 4],
@@ -43,8 +43,8 @@ impl SampleCount {
         }
     }
 
-    /// Returns the weight of each ray of a pixel at an edge. With n rays, including the center ray,
-    /// the weight is `1 / n` in Q32, rounded up.
+    /// Returns the weight of each ray of a pixel at an edge. If the pixel has n rays, including the
+    /// center ray, the weight is `1 / n` in Q32, rounded up.
     pub(super) fn weight(self) -> u32 {
         const fn weight(samples: u64) -> u32 {
             (1_u64 << 32).div_ceil(samples) as u32

@@ -3,7 +3,8 @@ use crate::math::{Color, Radiance, wide};
 /// Greatest difference of a color channel between neighbors that does not make an edge: 1/16.
 const EDGE: Radiance = Radiance::from_bits(1 << 26);
 
-/// Memory of an [`AntialiasedRenderer`](super::AntialiasedRenderer) for one pixel: 16 bytes.
+/// The memory that an [`AntialiasedRenderer`](super::AntialiasedRenderer) needs for one pixel. A
+/// sample takes 16 bytes.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct AaSample {
     /// Color of the center ray, clipped to 0..=1. In an edge pixel, the weighted sum of all
@@ -46,12 +47,14 @@ impl AaSample {
         }
     }
 
-    /// Starts the weighted sum of a pixel's rays with the center ray. `weight` has Q32.
+    /// Starts the weighted sum of all rays of a pixel: multiplies the color of the center ray by
+    /// `weight`. `weight` is in Q32.
     pub(super) fn start(&mut self, weight: u32) {
         self.color = weighted(self.color, weight);
     }
 
-    /// Adds the color of a ray to the pixel's weighted sum. `weight` has Q32.
+    /// Adds the color of a ray, times `weight`, to the weighted sum of the pixel. `weight` is in
+    /// Q32.
     pub(super) fn add(&mut self, color: Color<Radiance>, weight: u32) {
         self.color = self.color.plus(weighted(clip(color), weight));
     }

@@ -1,12 +1,12 @@
 //! Ordered dithering (Bayer 1973) with an 8x8 tile of thresholds.
 //!
-//! Tiles of random or blue noise look coarser at this size. Larger tiles repeat less often, but
-//! their mean is not exact over the small areas that the eye averages.
+//! An 8x8 tile of random or blue noise looks coarser than this tile. Larger tiles repeat less
+//! often, but the eye averages small areas, over which the mean of a larger tile is not exact.
 
 /// Threshold that rounds a value to the nearest level: half a level in Q16.
 const HALF: u32 = 1 << 15;
 
-/// Side of the tile of thresholds in pixels. It must be a power of two.
+/// Width and height of the tile of thresholds, in pixels. The number must be a power of two.
 const SIDE: usize = 8;
 
 /// Dithering of values that lie between two levels of a display channel.
@@ -14,9 +14,9 @@ const SIDE: usize = 8;
 /// Dithering does not change a value that equals a level.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Dither {
-    /// Selects the level below or above a value by an 8x8 pattern. In an area of uniform color, the
-    /// mean of any 8x8 pixels differs from the color by at most 1/128 of a level. Channels of 8
-    /// bits are not dithered, but rounded to the nearest level.
+    /// An 8x8 pattern selects either the level below or the level above a value. In an area of
+    /// uniform color, the mean of any 8x8 pixels differs from the color by at most 1/128 of a
+    /// level. Channels of 8 bits are not dithered, but rounded to the nearest level.
     #[default]
     Ordered,
     /// Rounds values to the nearest level.
@@ -24,8 +24,9 @@ pub enum Dither {
 }
 
 impl Dither {
-    /// Returns the threshold of pixel (x, y): the fraction of a level, in Q16, to add to a value
-    /// before it is rounded down. `is_coarse` must be true for channels of fewer than 8 bits.
+    /// Returns the threshold of pixel (x, y). The threshold is a fraction of a level, in Q16, that
+    /// is added to a value before the value is rounded down. `is_coarse` must be true for channels
+    /// of fewer than 8 bits.
     #[inline(always)]
     pub(crate) fn threshold(self, x: i32, y: i32, is_coarse: bool) -> u32 {
         match self {
@@ -38,10 +39,10 @@ impl Dither {
 /// Rank of each pixel of the tile, from 0 to 63. As a value rises from one level to the next,
 /// pixels of high rank switch to the next level first.
 ///
-/// The order is Bayer's with one change: within each group of four consecutive ranks, whose pixels
-/// are four columns or rows apart, the ranks are permuted. The change improves ramps from black to
-/// white over 240 to 320 columns. Even in black and white, the mean of each tile then differs from
-/// the ramp by at most one pixel of 64.
+/// The order is Bayer's with one change. The pixels of four consecutive ranks are four columns or
+/// rows apart. Within each such group of four pixels, the ranks are permuted. The change improves
+/// ramps from black to white over 240 to 320 columns. Even on a black-and-white display, the mean
+/// of each tile then differs from the ramp by at most one pixel of 64.
 #[rustfmt::skip]
 const ORDER: [[u8; SIDE]; SIDE] = [
     [0, 33, 10, 40, 3, 34, 9, 43],

@@ -1,4 +1,5 @@
-//! Transfer functions from linear radiance to display values, where 2^16 is full scale.
+//! Transfer functions convert linear radiance to display values. The greatest display value is
+//! 2^16.
 
 use crate::math::Radiance;
 
@@ -8,8 +9,8 @@ pub enum Transfer {
     /// Display values are proportional to radiance.
     #[default]
     Linear,
-    /// Display values are encoded as sRGB (IEC 61966-2-1). Some displays expect sRGB, as PC
-    /// monitors do.
+    /// Display values are encoded as sRGB (IEC 61966-2-1). PC monitors and some other displays
+    /// expect sRGB.
     Srgb,
 }
 
@@ -29,15 +30,16 @@ impl Transfer {
 /// Number of table segments for each factor of two of the radiance, for example from 1/2 to 1.
 const SEGMENTS: u32 = 8;
 
-/// Position of the top bit, in Q30, of the smallest radiance in the table, which is 2^-9. Below
-/// 2^-9 the encoding is linear and needs no table.
+/// The smallest radiance in the table is 2^-9, which is `1 << FIRST` in Q30. Below 2^-9 the
+/// encoding is linear and needs no table.
 const FIRST: u32 = 21;
 
 /// Number of table entries: one for each segment from 2^-9 to 1, and one for the radiance 1.
 const ENTRIES: usize = (SEGMENTS * (30 - FIRST)) as usize + 1;
 
-/// Encodes a radiance as sRGB by linear interpolation in a table. The radiance is from 0 to 1 in
-/// Q30; the result has Q16. The error is below 0.1 of an 8-bit level (measured: 0.09).
+/// Encodes a radiance as sRGB by linear interpolation in a table. The radiance is from 0 to 1, in
+/// Q30. The result is in Q16. The error of the result is below 0.1 of an 8-bit level (measured:
+/// 0.09).
 ///
 /// The function is not inlined, so that the calls for the three channels share one copy of the
 /// code.
@@ -50,7 +52,7 @@ fn srgb(light: u32) -> u32 {
     let exponent = 31 - light.leading_zeros();
     let shift = exponent - SEGMENTS.ilog2();
     // `light >> shift` is from `SEGMENTS` to `2 * SEGMENTS - 1`. Subtracting `SEGMENTS` gives the
-    // segment within the factor of two.
+    // number of the segment, counted from the power of two at or below `light`.
     let index = SEGMENTS * (exponent - FIRST) + (light >> shift) - SEGMENTS;
     let Some(&[start, rise]) = CHORDS.get(index as usize) else {
         return 1 << 16;
@@ -61,7 +63,8 @@ fn srgb(light: u32) -> u32 {
     ((u32::from(start) << 15) + u32::from(rise) * fraction + (1 << 13)) >> 14
 }
 
-/// The sRGB value at the start of each segment, and its increase over the segment. Both have Q15.
+/// For each segment, the sRGB value at its start and the increase of this value over the segment.
+/// The two numbers are in Q15.
 static CHORDS: [[u16; 2]; ENTRIES] = {
     let mut chords = [[0; 2]; ENTRIES];
     let mut index = 0;
@@ -70,21 +73,22 @@ static CHORDS: [[u16; 2]; ENTRIES] = {
         chords[index] = [start, encoded(index as u32 + 1) - start];
         index += 1;
     }
-    // The radiance 1 is the end of the last segment, so the value does not increase further.
+    // The last entry is for the radiance 1. Radiances are clipped to 1, so the value does not
+    // increase further.
     chords[ENTRIES - 1][1] = 0;
     chords
 };
 
 /// Returns the sRGB value, in Q15, of the radiance x at which segment `index` starts. The value is
-/// `12.92 x` up to x = 0.0031308, and `1.055 x^(1 / 2.4) - 0.055` above.
+/// `12.92 x` up to x = 0.0031308. For greater x, it is `1.055 x^(1 / 2.4) - 0.055`.
 const fn encoded(index: u32) -> u16 {
     // The radiance x in Q12.
     let light = ((SEGMENTS + index % SEGMENTS) << (index / SEGMENTS)) as u128;
     if light * 10_000_000 < 31_308 << 12 {
         return ((light * 1292 * 8 + 50) / 100) as u16;
     }
-    // Computes x^(1 / 2.4), which is x^(5/12), in Q32: first the cube root of x^5 in Q40, then the
-    // square root of the square root.
+    // Computes x^(1 / 2.4) in Q32 as x^(5/12). First takes the cube root of x^5, in Q40, and then
+    // takes the square root twice.
     let root = cube_root(light.pow(5) << 60);
     let power = ((root << 24).isqrt() << 32).isqrt();
     (((power * 1055 - (55 << 32)) / 1000 + (1 << 16)) >> 17) as u16

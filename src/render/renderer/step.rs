@@ -11,16 +11,18 @@ use crate::render::progress::{RenderProgress, Step};
 use crate::render::scanline::PixelIter;
 
 impl<O: Observer> Renderer<'_, O> {
-    /// Draws one step of a picture and advances `progress`. Does nothing if `progress` is complete.
+    /// Draws the next step of a picture and advances `progress`. Does nothing if the picture is
+    /// complete.
     ///
-    /// Each block larger than a pixel is drawn by one call of `fill_contiguous`. Single pixels are
-    /// drawn line by line: one call of `fill_contiguous` draws a line or the rest of a line. If a
-    /// pass traces only every other pixel of a line, one call of `draw_iter` draws these pixels. If
-    /// [`Step::Rays`] ends within a line, its call receives fewer colors than the line has pixels.
+    /// Each block larger than one pixel is drawn by one call of `fill_contiguous`. Single pixels
+    /// are drawn line by line: one call of `fill_contiguous` draws a line or the rest of a line. If
+    /// a pass traces only every other pixel of a line, one call of `draw_iter` draws these pixels
+    /// instead. If a [`Step::Rays`] step ends within a line, the call for this line receives fewer
+    /// colors than the line has pixels.
     ///
-    /// `step` is inlined. If the kind of step is known at compile time, only the code of that kind
-    /// is linked. [`Step::Rays`] links a second copy of the ray tracer, which counts rays. The copy
-    /// takes 10 KB of flash and executes 3 % more instructions.
+    /// `step` is inlined. If the kind of step is known at compile time, the program contains only
+    /// the code for that kind. [`Step::Rays`] needs a second copy of the ray tracer, which counts
+    /// rays. This copy takes 10 KB of flash. It executes 3 % more instructions than the first copy.
     ///
     /// # Errors
     /// The step stops at the first error of the display and returns that error. The display may
@@ -117,8 +119,8 @@ impl<O: Observer> Renderer<'_, O> {
             }?;
             match pixels.is_exhausted {
                 true => progress.advance(pixels.yielded, size),
-                // If the display took fewer pixels than the row has, it has clipped the others, so
-                // the row is complete.
+                // If the display took fewer pixels than the row has, it clipped the other pixels.
+                // The row is then complete.
                 false => progress.finish_row(size),
             }
         }
@@ -126,7 +128,7 @@ impl<O: Observer> Renderer<'_, O> {
     }
 }
 
-/// Iterator over pixels that ends early once `budget` rays have been traced.
+/// An iterator over pixels. It ends early once `budget` rays have been traced.
 struct RayBudget<'r, 's, 'o, O> {
     pixels: PixelIter<'r, 's, Pair<'o, RayCounter, O>>,
     budget: u32,

@@ -16,11 +16,11 @@ use crate::{parallel, scene};
 pub(super) struct Row {
     pub(super) subject: Subject,
     pub(super) core: Core,
-    /// Instructions that the frame takes, including the decoding of the scene.
+    /// Number of instructions that decode the scene and draw the picture.
     pub(super) instructions: u64,
-    /// Instructions that the frame takes in floating point, or 0 if they were not counted.
+    /// Number of instructions for the same picture in floating point, or 0 if not counted.
     pub(super) float_instructions: u64,
-    /// Number of rays: camera, reflected, transmitted and shadow rays together.
+    /// Total number of camera, reflected, transmitted and shadow rays.
     pub(super) rays: u64,
     /// Flash of the whole firmware in bytes.
     pub(super) flash: u64,
@@ -30,12 +30,12 @@ pub(super) struct Row {
     pub(super) stack: u64,
 }
 
-/// A picture to draw on a core, with the firmware for fixed point and the optional firmware for
-/// floating point.
+/// A picture to draw on a core, with the paths of two programs. The first draws in fixed point. The
+/// optional second program draws in floating point.
 type Job = (Subject, Core, PathBuf, Option<PathBuf>);
 
-/// Draws every picture on every core in fixed point, and also in floating point if `with_float`.
-/// Returns an error if a fixed-point picture differs from the host's picture.
+/// Draws every picture on every core in fixed point. If `with_float` is true, also draws it in
+/// floating point. Returns an error if a fixed-point picture differs from the host's picture.
 pub(super) fn count(subjects: &[Subject], cores: &[Core], with_float: bool) -> Result<Vec<Row>> {
     let mut jobs = Vec::new();
     for core in cores.iter().copied() {
@@ -62,7 +62,8 @@ fn row((subject, core, fixed, float): &Job) -> Result<Row> {
     );
     let mut float_instructions = 0;
     if let Some(float) = float {
-        // The float firmware draws a smaller picture; its count is scaled by the number of pixels.
+        // The float firmware may draw a smaller picture. Its instruction count is then scaled up to
+        // the number of pixels of the full picture.
         let small = subject.reduced_for_floats(core);
         let report = draw(small, core, Arithmetic::Float, float)?;
         float_instructions = report.number("instructions")? * subject.pixels() / small.pixels();

@@ -7,7 +7,8 @@ use crate::firmware::Firmware;
 use crate::qemu::{Arithmetic, Machine};
 use crate::symbols::Symbols;
 
-/// Files of the library that are only needed to decode scenes. All other files count as drawing.
+/// Paths of the library code that is only needed to decode scenes. All other code counts as drawing
+/// code.
 const DECODING: [&str; 6] = [
     "src/archive",
     "src/codec",
@@ -17,13 +18,13 @@ const DECODING: [&str; 6] = [
     "src/scene_buffer",
 ];
 
-/// Size of the library's machine code in the headless firmware for a core. The first number of each
-/// pair is the bytes that draw, the second the bytes that decode scenes. Library code that is
-/// inlined into other crates is included.
+/// Size of the library's machine code in the headless firmware for a core, in bytes. Each pair has
+/// the size of the drawing code, then the size of the code that decodes scenes. Library code that
+/// is inlined into other crates is included.
 pub(super) struct Flash {
     pub(super) core: Core,
     pub(super) full: [u64; 2],
-    /// Sizes without optional features: the library then has only spheres and planes.
+    /// Sizes if the library has no optional features, and so only spheres and planes.
     pub(super) minimal: [u64; 2],
 }
 

@@ -12,7 +12,8 @@ use crate::size::Usage;
 
 const FILE: &str = "docs/benchmarks.md";
 
-/// Replaces the lines between `<!-- name -->` and `<!-- /name -->` in docs/benchmarks.md.
+/// Writes text to docs/benchmarks.md. The text replaces the lines between the markers
+/// `<!-- name -->` and `<!-- /name -->`.
 pub(super) fn replace(name: &str, text: &str) -> Result<()> {
     let file = root().join(FILE);
     let page = fs::read_to_string(&file)?;
@@ -29,7 +30,7 @@ fn replaced(page: &str, name: &str, text: &str) -> Option<String> {
     ))
 }
 
-/// Returns the tables of instruction counts, one for each picture.
+/// Returns a table of instruction counts for each picture.
 pub(super) fn frames(rows: &[Row]) -> Result<String> {
     let mut text = String::new();
     for rows in rows.chunk_by(|a, b| a.subject == b.subject) {
@@ -57,7 +58,7 @@ pub(super) fn frames(rows: &[Row]) -> Result<String> {
     Ok(text)
 }
 
-/// Returns the table of the flash and RAM that the headless firmware takes on each core.
+/// Returns a table with the flash and RAM of the headless firmware for each core.
 pub(super) fn flash(rows: &[Row], flash: &[Flash]) -> Result<String> {
     let mut text = "\
         | core | draws spheres, planes | draws all | decodes spheres, planes | decodes all | firmware | RAM |\n\
@@ -78,7 +79,7 @@ pub(super) fn flash(rows: &[Row], flash: &[Flash]) -> Result<String> {
     Ok(text)
 }
 
-/// Returns the table of the flash and RAM that the firmware of each board takes.
+/// Returns a table with the flash and RAM of each board's firmware.
 pub(super) fn boards(boards: &[(&str, Usage)]) -> Result<String> {
     let mut text = "| board | flash | static RAM |\n|---|--:|--:|\n".to_owned();
     for (board, Usage { flash, ram }) in boards {

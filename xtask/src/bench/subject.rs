@@ -43,8 +43,8 @@ impl Subject {
         u64::from(self.size.width) * u64::from(self.size.height)
     }
 
-    /// Returns the picture to draw in floating point. It is smaller for cores without an FPU, on
-    /// which the full picture takes up to 10^11 instructions.
+    /// Returns the picture to draw in floating point. For cores without an FPU, this picture is
+    /// smaller, because the full picture would take up to 10^11 instructions.
     pub(super) fn reduced_for_floats(self, core: Core) -> Self {
         let divisor = match self.scene {
             _ if core.has_fpu() => 1,

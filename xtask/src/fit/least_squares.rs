@@ -1,8 +1,8 @@
 /// Returns the prices that minimize the sum over all rows of (`row · prices` - 1)². No price is
 /// below 0.
 ///
-/// The algorithm is coordinate descent: each price in turn is set to its best value while all
-/// others are kept.
+/// The algorithm is coordinate descent. It repeatedly changes one price to its best value while it
+/// keeps all other prices.
 pub(super) fn non_negative<const N: usize>(rows: &[[f64; N]]) -> [f64; N] {
     const ROUNDS: usize = 50_000;
     let mut prices = [0.0; N];
@@ -28,8 +28,8 @@ mod tests {
 
     #[test]
     fn finds_exact_prices() {
-        // The expected prices are 2, 0.5 and 3. Each row is divided by its product with these
-        // prices.
+        // The expected prices are 2, 0.5 and 3. Each row is scaled so that its product with these
+        // prices is 1.
         let rows = [[1.0, 2.0, 3.0], [4.0, 1.0, 0.0], [2.0, 2.0, 9.0]];
         let products = [12.0, 8.5, 32.0];
         let rows = [0, 1, 2].map(|row| rows[row].map(|amount| amount / products[row]));

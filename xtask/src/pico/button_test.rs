@@ -11,12 +11,12 @@ use super::{firmware, panel, transfers};
 use crate::budget::Counts;
 use crate::{host, scene, scratch_dir};
 
-/// Largest number of cycles of a picture that a button interrupts. The emulator presses the button
-/// after 20 million cycles.
+/// Largest allowed number of cycles of an interrupted picture. The emulator presses the button
+/// after 20 million cycles, and the firmware must then stop drawing.
 const INTERRUPTED: u64 = 30_000_000;
 
-/// Compares all complete pictures with the host's pictures. Returns the cycles of the pictures that
-/// have a budget.
+/// Runs the test and compares all complete pictures with the host's pictures. Returns the number of
+/// cycles of each picture that has a budget.
 pub(super) fn run() -> Result<Counts> {
     let (first, last) = (scene("four_spheres"), scene("bouncing_ball"));
     let sent = scene("still_life");
@@ -44,8 +44,9 @@ pub(super) fn run() -> Result<Counts> {
     ];
     let error = host::decode_error(&bytes)?;
     let error = || panel::message(&format!("This scene cannot be drawn: {error}."));
-    // Each entry has a name, the expected picture (`None` if a button interrupts it), and true if
-    // the picture has a budget. The scene from USB comes after the scenes in flash.
+    // Each entry has a name, the expected picture, and true if the picture has a budget. The
+    // picture is `None` if a button interrupts it. The firmware shows the scenes in flash first,
+    // then the scene from USB.
     let expected = [
         ("four_spheres", Some(panel::draw_on_host(&first)?), true),
         ("an error", Some(error()?), false),

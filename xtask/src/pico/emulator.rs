@@ -16,10 +16,11 @@ use crate::{root, scratch_dir, tools};
 /// Folder of the emulator's script and npm packages.
 const FOLDER: &str = "boards/pico/emulator";
 
-/// Marks the end of a picture in the stream. It takes the place of the D/C level, which is 0 or 1.
+/// Marks the end of a picture in the emulator's output file. This value is in the place of the
+/// level of the D/C pin, which is 0 or 1.
 const END: u8 = 2;
 
-/// A button of the board. The discriminant is the number of its pin.
+/// A button of the board. The discriminant is the number of the button's pin.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Button {
     Next = 15,
@@ -37,8 +38,8 @@ pub(super) enum Event<'e> {
     Usb(&'e dyn Fn(&Port) -> Result<()>),
 }
 
-/// Runs firmware for its first picture, and for one more picture after each event. Returns the
-/// pictures, complete or interrupted, each with its cycles.
+/// Runs firmware, which draws a first picture and another picture after each event. Returns all
+/// pictures, even interrupted ones, each with its number of cycles.
 pub(super) fn run(elf: &Path, events: &[Event<'_>]) -> Result<Vec<(Picture, u64)>> {
     install()?;
     let stream = scratch_dir()?.join("pico.stream");
@@ -68,8 +69,8 @@ pub(super) fn run(elf: &Path, events: &[Event<'_>]) -> Result<Vec<(Picture, u64)
     Ok(pictures.into_iter().zip(cycles).collect())
 }
 
-/// Reads the cycles of each picture from the emulator's output, and runs the USB transfers between
-/// pictures.
+/// Reads the emulator's output and returns the number of cycles of each picture. Runs the USB
+/// transfers between pictures.
 fn watch(node: &mut Child, events: &[Event<'_>], port: Option<&Port>) -> Result<Vec<u64>> {
     let output = node.stdout.take().context("node has no output")?;
     let mut lines = BufReader::new(output).lines();
@@ -96,7 +97,8 @@ fn next_cycles(lines: &mut Lines<impl BufRead>) -> Result<u64> {
     Ok(cycles.context("the emulator printed no cycles")?.parse()?)
 }
 
-/// Decodes the pictures in a stream of pairs: the level of the display's D/C pin, and a byte.
+/// Decodes the pictures in the emulator's output file. The file consists of pairs of bytes: the
+/// level of the display's D/C pin, and a byte for the display.
 fn decode(stream: &[u8]) -> Result<Vec<Picture>> {
     let mut controller = Controller::new(PANEL);
     let mut pictures = Vec::new();
@@ -114,8 +116,8 @@ fn decode(stream: &[u8]) -> Result<Vec<Picture>> {
     Ok(pictures)
 }
 
-/// Installs the emulator's npm packages. Does nothing if the packages were installed after the last
-/// change of the lock file.
+/// Installs the emulator's npm packages. Does nothing if the installed packages are newer than the
+/// lock file.
 fn install() -> Result<()> {
     let folder = root().join(FOLDER);
     let modified = |file: &str| fs::metadata(folder.join(file)).and_then(|file| file.modified());

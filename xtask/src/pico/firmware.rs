@@ -7,7 +7,7 @@ use crate::board::PICO;
 use crate::command::{command, run};
 use crate::size;
 
-/// Builds the firmware with these scenes, or with the default scenes if the list is empty.
+/// Builds the firmware with the given scenes, or with the default scenes if the list is empty.
 pub(super) fn build(scenes: &[&Path]) -> Result<PathBuf> {
     if scenes.is_empty() {
         return PICO.build(None);
@@ -23,7 +23,7 @@ pub(super) fn lint() -> Result<()> {
     run(&mut clippy)
 }
 
-/// Converts an ELF file to a UF2 file and returns the path of the UF2 file.
+/// Converts an ELF file to a UF2 file. Returns the path of the UF2 file.
 pub(super) fn uf2(elf: &Path) -> Result<PathBuf> {
     let file = elf.with_extension("uf2");
     run(command("elf2uf2-rs").arg(elf).arg(&file))
@@ -31,7 +31,7 @@ pub(super) fn uf2(elf: &Path) -> Result<PathBuf> {
     Ok(file)
 }
 
-/// Prints the flash and static RAM of the firmware in an ELF file.
+/// Prints how much flash and static RAM the firmware in an ELF file takes.
 pub(super) fn print_size(elf: &Path) -> Result<()> {
     let usage = size::usage(elf)?;
     println!("flash: {}\nstatics: {}", usage.flash, usage.ram);

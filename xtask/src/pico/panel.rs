@@ -1,4 +1,4 @@
-//! The Pico's display, and the pictures that the host draws for it.
+//! Describes the Pico's display, and draws the expected pictures on the host.
 
 use std::path::Path;
 
@@ -26,7 +26,7 @@ pub(super) fn draw_on_host(scene: &Path) -> Result<Picture> {
     draw(&Buffer::new().decode(&compiled)?)
 }
 
-/// Draws a scene on the host after one step of the camera to the right.
+/// Moves the camera of a scene one step to the right and draws the scene on the host.
 pub(super) fn draw_from_the_right(scene: &Path) -> Result<Picture> {
     let compiled = scene_file::compile(scene)?;
     let mut buffer = Box::new(Buffer::new());
@@ -48,7 +48,7 @@ pub(super) fn message(text: &str) -> Result<Picture> {
     Ok(picture)
 }
 
-/// Compares two pictures. Returns an error with the first different pixel, if any.
+/// Compares two pictures. If they differ, returns an error that names the first different pixel.
 pub(super) fn compare(shown: &Picture, expected: &Picture) -> Result<()> {
     let Some(at) = shown.first_difference(expected) else {
         return Ok(());

@@ -1,4 +1,4 @@
-//! A pseudo-terminal in place of the USB cable between the emulator and the host.
+//! Connects the emulator with the host by a pseudo-terminal, which replaces the USB cable.
 
 use std::path::{Path, PathBuf};
 use std::process::Stdio;
@@ -7,13 +7,13 @@ use std::time::{Duration, Instant};
 use anyhow::{Context, Result, bail};
 use serial2::SerialPort;
 
-/// Longest wait for an answer. The emulator is a few times slower than the board.
+/// Longest time to wait for an answer. The emulator is a few times slower than the board.
 const TIMEOUT: Duration = Duration::from_secs(60);
 
-/// Both ends of the pseudo-terminal: the emulator's and the host's.
+/// A pseudo-terminal. One end belongs to the emulator, the other end to the host.
 pub(super) struct Port {
     device: SerialPort,
-    /// The host end is kept open, because the terminal exists only while this end is open.
+    /// The host's end stays open, because the terminal exists only while this end is open.
     host: SerialPort,
     path: PathBuf,
 }

@@ -12,7 +12,7 @@ use crate::command::{cargo, command, run};
 use crate::host::decode_error;
 use crate::target_dir;
 
-/// Number of a transfer. The answer of the board repeats the number.
+/// Number that identifies a transfer. The board repeats this number in its answer.
 const TICKET: u16 = 7;
 
 /// Sends data that the board must reject, and checks the answers of the board.
@@ -50,7 +50,7 @@ pub(super) fn send_invalid(port: &Port, scene: &Path) -> Result<()> {
 pub(super) fn build_sim() -> Result<PathBuf> {
     let mut build = cargo();
     build.args(["build", "--quiet", "--bin", "sim"]);
-    // All steps of `cargo xtask test` build with these features, so that they share one build.
+    // All steps of `cargo xtask test` build with this feature, so that they share one build.
     run(build.args(["--features", "whitted-sim/window"]))?;
     Ok(target_dir().join("debug/sim"))
 }
@@ -73,7 +73,7 @@ fn framed(scene: &[u8]) -> Result<Vec<u8>> {
     Ok(frame.to_vec())
 }
 
-/// Returns a compiled scene with one sphere more than the firmware's capacity.
+/// Returns a compiled scene with one sphere more than the firmware can store.
 fn too_many_spheres() -> Result<Vec<u8>> {
     let origin = Vec3::lit("0", "0", "0");
     let objects = [Object::sphere(origin, Real::ONE, MaterialId(0)); 65];

@@ -50,8 +50,8 @@ impl Picture {
     }
 }
 
-/// Draws on a RISC-V core in QEMU with the firmware `tests/rigs/virt`. QEMU writes the picture
-/// size, the length of the scene, and the scene to the memory of the firmware.
+/// Draws all scenes on a RISC-V core in QEMU. QEMU writes the picture size, the length of the
+/// compiled scene, and the compiled scene to the memory of the firmware `tests/rigs/virt`.
 fn risc_v(pictures: &[Picture]) -> Result<()> {
     const QEMU: &str = "qemu-system-riscv32";
     require(&[QEMU], "sudo apt-get install qemu-system-misc")?;

@@ -6,10 +6,11 @@ use crate::command::{cargo_of, run};
 use crate::tools::require;
 use crate::{root, target_dir};
 
-/// Seconds for each fuzz target, unless the environment variable `FUZZ_SECONDS` is set.
+/// Number of seconds to run each fuzz target. The environment variable `FUZZ_SECONDS` overrides it.
 const SECONDS: &str = "300";
 
-/// Number of runs after which cargo-fuzz stops a target before its time is up.
+/// Largest number of runs of a fuzz target. cargo-fuzz stops after this number, even if time is
+/// left.
 const RUNS: u64 = 10_000_000;
 
 /// Runs each fuzz target in the folder `fuzz` with cargo-fuzz.
@@ -21,8 +22,8 @@ pub(super) fn check() -> Result<()> {
     let seconds = std::env::var("FUZZ_SECONDS").unwrap_or(SECONDS.to_owned());
     for entry in fs::read_dir(root().join("fuzz/corpus"))? {
         let target = entry?.file_name();
-        // cargo-fuzz writes new inputs to the first corpus folder. It is not in the repository,
-        // because few new inputs are worth committing.
+        // cargo-fuzz writes new inputs to the first of two corpus folders. The first folder is in
+        // the target folder, because few new inputs are worth committing.
         let found = target_dir().join("fuzz-corpus").join(&target);
         fs::create_dir_all(&found)?;
         let mut fuzz = cargo_of("+nightly", "fuzz");

@@ -6,7 +6,7 @@ use crate::tools::require;
 /// A big-endian target.
 const MIPS: &str = "mips-unknown-linux-gnu";
 
-/// Tests that Miri skips. They measure errors on so many numbers that Miri would take hours.
+/// Tests that do not run in Miri, because they would take hours there.
 const SLOW: [&str; 4] = ["budget", "error_bounds", "sixteen_bits", "srgb_is_within"];
 
 /// Runs the library's unit tests and `tests/everywhere` in Miri, on the host and on a big-endian

@@ -32,7 +32,8 @@ const SHARD: &str = "--shard=0/7";
 /// Smallest allowed share of caught mutants, in percent.
 const LEAST: usize = 85;
 
-/// Tests a sample of the mutants of the library with cargo-mutants.
+/// Checks with cargo-mutants that tests find deliberate mistakes. A mutant is a copy of the code
+/// with one such mistake. The tests run on a sample of the mutants.
 pub(super) fn check() -> Result<()> {
     require(&["cargo", "mutants"], "cargo install cargo-mutants")?;
     let folder = target_dir().join("mutants");
@@ -51,8 +52,8 @@ pub(super) fn check() -> Result<()> {
     mutants
         .env("CARGO_PROFILE_DEV_DEBUG", "0")
         .env("RUNS", "200");
-    // The exit code is ignored, because a single missed mutant makes it nonzero. The lists of
-    // caught and missed mutants are counted instead.
+    // The exit code of cargo-mutants is ignored, because it is nonzero even if a single mutant is
+    // missed. Instead, the caught and missed mutants in its lists are counted.
     mutants.status()?;
     let count = |list: &str| {
         let file = folder.join("mutants.out").join(list).with_extension("txt");

@@ -10,7 +10,7 @@ use crate::firmware::V6M;
 use crate::root;
 use crate::tools::require;
 
-/// Oldest supported toolchain, the `rust-version` in Cargo.toml.
+/// Oldest supported toolchain. This is the `rust-version` in Cargo.toml.
 const OLDEST: &str = "+1.89";
 
 pub(super) fn check() -> Result<()> {
@@ -26,12 +26,14 @@ pub(super) fn check() -> Result<()> {
         run(deny.args(["check", "licenses", "bans", "sources"]))?;
     }
     no_duplicates()?;
-    // cargo-deny downloads its database of advisories, which fails without a network.
+    // cargo-deny downloads its database of security advisories. The download fails without a
+    // network.
     match run(cargo().args(["deny", "fetch", "db"])) {
         Ok(()) => run(cargo().args(["deny", "check", "advisories"]))?,
         Err(_) => println!("advisories are not checked without a network"),
     }
-    // Cargo checks both packages together, because the second depends on the first.
+    // Cargo packages `long-multiply` and `whitted` together, because `whitted` depends on
+    // `long-multiply`.
     let mut package = cargo();
     package.args(["package", "--quiet", "--allow-dirty"]);
     run(package.args(["--package", "long-multiply", "--package", "whitted"]))?;
@@ -40,7 +42,7 @@ pub(super) fn check() -> Result<()> {
     run(cargo_of(OLDEST, "oldest").args(["check", "--quiet", "--package", "whitted"]))
 }
 
-/// Returns an error if the library depends on two versions of a crate.
+/// Returns an error if the library depends on more than one version of the same crate.
 fn no_duplicates() -> Result<()> {
     let mut tree = cargo();
     tree.args(["tree", "--duplicates", "--package", "whitted"]);

@@ -8,13 +8,13 @@ use anyhow::{Context, Result, bail};
 
 use crate::report::Report;
 
-/// Longest time without output before the firmware counts as hung.
+/// Longest time to wait for the next line of output. After this time, the run fails.
 const TIMEOUT: Duration = Duration::from_secs(300);
 
 /// Line that ends the report of the firmware.
 const END: &str = "end";
 
-/// A running QEMU process. Dropping this value kills the process.
+/// A running QEMU process. The process is killed when this value is dropped.
 pub(crate) struct Running {
     qemu: Child,
     /// Lines of the process's standard output.
@@ -37,7 +37,7 @@ impl Running {
             .with_context(|| format!("cannot start {}", command.get_program().display()))?;
         let output = qemu.stdout.take().context("QEMU has no output")?;
         let (sender, lines) = channel();
-        // A separate thread reads the output, because reading from a pipe has no timeout. The
+        // A separate thread reads QEMU's output, because a read from a pipe cannot time out. The
         // thread ends when QEMU exits.
         thread::spawn(move || {
             for line in BufReader::new(output).lines() {
@@ -49,7 +49,7 @@ impl Running {
         Ok(Self { qemu, lines })
     }
 
-    /// Reads lines up to the end of the report, or until QEMU exits, and returns the report.
+    /// Reads lines until the report ends or QEMU exits. Returns the report.
     pub(crate) fn report(&mut self) -> Result<Report> {
         let mut lines = Vec::new();
         loop {

@@ -10,8 +10,8 @@ use crate::command::{self, cargo};
 use crate::firmware::V6M;
 use crate::root;
 
-/// Lints the library on the host and on the smallest target: without optional features, with each
-/// feature alone, and with all features. Runs the tests of the features with the same selections.
+/// Lints the library on the host and on the smallest target. Does this without optional features,
+/// with all features, and with each feature alone. Also runs the tests of features in these ways.
 pub(super) fn check_all() -> Result<()> {
     let features = features()?;
     println!("features: {}", features.join(", "));

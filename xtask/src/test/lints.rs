@@ -5,7 +5,8 @@ use anyhow::Result;
 use crate::command::{cargo, run};
 use crate::firmware::{V6M, V7M};
 
-/// Arguments that all steps on the host pass to Cargo, so that they share one build.
+/// Cargo arguments of all steps on the host. The steps use the same arguments, so that they share
+/// one build.
 pub(super) const WINDOW: [&str; 2] = ["--features", "whitted-sim/window"];
 
 /// Firmware packages in the root workspace.
@@ -19,8 +20,9 @@ const FIRMWARE: [&str; 7] = [
     "soak",
 ];
 
-/// Lints for the library only. They forbid panics, and arithmetic that may differ between targets.
-/// Cargo.toml cannot have these lints, because tests may panic and compute with floats.
+/// Lints for the library only. They forbid panics and arithmetic with results that may differ
+/// between targets. The lints are not in Cargo.toml, because they would also apply to tests. Tests
+/// may panic and compute with floats.
 const LIBRARY: [&str; 8] = [
     "clippy::expect_used",
     "clippy::float_arithmetic",
@@ -38,7 +40,7 @@ pub(super) fn host() -> Result<()> {
     clippy(&["--bin", "sim"], &[])
 }
 
-/// Lints the library on the smallest target, and the firmware packages.
+/// Lints the library for the smallest target. Also lints the firmware packages.
 pub(super) fn thumb() -> Result<()> {
     library(&["--target", V6M])?;
     let mut arguments = vec!["--target", V7M];

@@ -1,10 +1,10 @@
-//! Checks that the firmware `tests/rigs/nopanic` calls every public function of the library.
+//! Checks that the firmware `tests/rigs/nopanic` mentions every public function of the library.
 
 use std::collections::BTreeSet;
 
 use super::source::Source;
 
-/// Functions that the firmware need not call, because the compiler evaluates them for constants.
+/// Functions that the firmware need not mention, because they run at compile time.
 const COMPILE_TIME: [&str; 1] = ["lit"];
 
 /// Returns a violation for each public function whose name the firmware does not mention.

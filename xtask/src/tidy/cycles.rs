@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::modules::Crate;
 use super::names::ModulePath;
 
-/// The modules of a crate, each with the modules that it depends on.
+/// Maps each module of a crate to the modules that it depends on.
 type Graph = BTreeMap<ModulePath, BTreeSet<ModulePath>>;
 
 /// Returns a violation for each import cycle.
@@ -20,8 +20,7 @@ pub(super) fn check(modules: &Crate) -> Vec<String> {
         let file = |module| modules.modules[module].source.path.display().to_string();
         let files: Vec<_> = cycle.iter().map(file).collect();
         violations.push(format!("import cycle: {}", files.join(" -> ")));
-        // Removes the first edge of the cycle that was found, so that the search finds another
-        // cycle.
+        // Removes the first dependency of this cycle, so that the next search finds another cycle.
         if let (Some(used), [first, ..]) = (graph.get_mut(&cycle[0]), &cycle[1..]) {
             used.remove(first);
         }
@@ -29,9 +28,9 @@ pub(super) fn check(modules: &Crate) -> Vec<String> {
     violations
 }
 
-/// Returns the modules of an import cycle. The first module is repeated at the end.
+/// Finds an import cycle and returns its modules. The first module is also the last one.
 fn find(mut graph: Graph) -> Option<Vec<ModulePath>> {
-    // Removes modules that depend on no module in the graph: they are in no cycle.
+    // Repeatedly removes modules without dependencies in the graph, because they are in no cycle.
     loop {
         let rest: BTreeSet<_> = graph.keys().cloned().collect();
         graph.retain(|_, used| !used.is_disjoint(&rest));
@@ -39,7 +38,8 @@ fn find(mut graph: Graph) -> Option<Vec<ModulePath>> {
             break;
         }
     }
-    // Every remaining module depends on another one, so a walk along dependencies ends in a cycle.
+    // Every remaining module depends on another one. Therefore, a walk from module to dependency
+    // reaches a module twice, and so finds a cycle.
     let mut module = graph.keys().next()?;
     let mut walk = Vec::new();
     while !walk.contains(module) {

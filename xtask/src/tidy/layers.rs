@@ -2,7 +2,8 @@
 
 use super::modules::{Crate, Dependency};
 
-/// Top-level modules of the library. Each may use itself and the modules in earlier rows.
+/// Lists the top-level modules of the library in layers, one layer in each row. A module may use
+/// itself and the modules in earlier rows.
 const LAYERS: [&[&str]; 9] = [
     &["math"],
     &["archive"],
@@ -18,13 +19,13 @@ const LAYERS: [&[&str]; 9] = [
 /// The crate for displays, and the layer that alone may use it.
 const DISPLAY: (&str, &str) = ("embedded_graphics_core", "render");
 
-/// Returns a violation for each dependency on a later layer, and a violation if
-/// docs/architecture.md has no table of the layers.
+/// Returns the violations. A module must not depend on another module in the same row or in a
+/// later row. The page docs/architecture.md must have a table of the layers.
 pub(super) fn check(library: &Crate, page: &str) -> Vec<String> {
     let mut violations = Vec::new();
     for (path, module) in &library.modules {
-        // Skips the root of the library, which only declares modules, and tests, which may use any
-        // module.
+        // Skips the root of the library, because it only declares modules. Skips tests, because
+        // they may use any module.
         let Some(layer) = path.first().filter(|layer| *layer != "tests") else {
             continue;
         };

@@ -1,4 +1,4 @@
-//! Finds the modules of a crate and the modules that they depend on.
+//! Finds the modules of a crate, and the dependencies between these modules.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -6,10 +6,10 @@ use std::path::Path;
 use super::names::{ModulePath, Names, Use};
 use super::source::Source;
 
-/// Largest length of a chain of re-exports that the search follows.
+/// Largest number of re-exports that are followed to find the definition of an item.
 const MAX_DEPTH: usize = 16;
 
-/// The modules of a crate by their paths. The path of the root module is empty.
+/// The modules of a crate. The keys of the map are module paths. The root module has an empty path.
 pub(super) struct Crate<'s> {
     pub(super) modules: BTreeMap<ModulePath, Module<'s>>,
 }
@@ -26,8 +26,8 @@ pub(super) struct Dependency {
 }
 
 impl<'s> Crate<'s> {
-    /// Collects the modules of the crate in a folder with a `lib.rs` or `main.rs`. If there is a
-    /// library, leaves out `main.rs` and the folder `bin`, which are separate crates.
+    /// Collects the modules of the crate in a folder. If the folder has a `lib.rs`, leaves out
+    /// `main.rs` and the folder `bin`, because they are separate crates.
     pub(super) fn new(folder: &str, sources: &'s [Source]) -> Self {
         let library = Path::new(folder).join("lib.rs");
         let has_library = sources.iter().any(|source| source.path == library);
@@ -49,8 +49,9 @@ impl<'s> Crate<'s> {
         Self { modules }
     }
 
-    /// Returns the other modules that a module depends on: those that define the items that it
-    /// imports or mentions by path. A re-export counts only if the file also mentions its name.
+    /// Returns the other modules that a module depends on. It depends on a module if it imports an
+    /// item of this module, or mentions the item by a path. The import by a re-export counts only
+    /// if the file also mentions the imported name.
     pub(super) fn dependencies(&self, module: &ModulePath) -> Vec<Dependency> {
         let Some(Module { names, .. }) = self.modules.get(module) else {
             return Vec::new();
@@ -80,8 +81,8 @@ impl<'s> Crate<'s> {
         others.collect()
     }
 
-    /// Converts a path in `module` to a path from the root of the crate. Returns `None` for a path
-    /// into another crate.
+    /// Converts a path in the source code of `module` to a path from the root of the crate. Returns
+    /// `None` if the path leads to another crate.
     fn absolute(&self, module: &ModulePath, path: &[String]) -> Option<ModulePath> {
         let (first, rest) = path.split_first()?;
         match first.as_str() {
@@ -102,7 +103,8 @@ impl<'s> Crate<'s> {
         }
     }
 
-    /// Returns the module that defines an item, or `None` if the path leads to a module.
+    /// Returns the module that defines the item at a path. Returns `None` if the path leads to a
+    /// module instead of an item.
     fn resolve(&self, path: &[String], depth: usize) -> Option<ModulePath> {
         let mut module = ModulePath::new();
         for (index, name) in path.iter().enumerate() {
@@ -126,7 +128,7 @@ impl<'s> Crate<'s> {
     }
 
     /// Returns the `use` declaration by which a module imports a name. Returns `None` if the module
-    /// defines the name or does not have it.
+    /// defines the name itself or does not import it.
     fn import(&self, module: &ModulePath, name: &str, depth: usize) -> Option<&Use> {
         let names = &self.modules.get(module)?.names;
         if names.items.contains(name) || depth >= MAX_DEPTH {

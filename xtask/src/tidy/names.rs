@@ -27,9 +27,10 @@ pub(super) struct Names {
     /// Names of the items that are defined outside of blocks.
     pub(super) items: BTreeSet<String>,
     pub(super) uses: Vec<Use>,
-    /// Paths with at least two segments outside of `use` declarations, with their lines.
+    /// Paths outside of `use` declarations, with their line numbers. Each path has at least two
+    /// segments.
     pub(super) paths: Vec<(ModulePath, usize)>,
-    /// Mentioned names: the first segments of paths, and all identifiers outside of paths.
+    /// Contains the first segment of each path, and all identifiers outside of paths.
     pub(super) mentioned: BTreeSet<String>,
 }
 
@@ -68,7 +69,8 @@ impl Names {
         names
     }
 
-    /// Reads the path that starts at token `start` and returns the index of its last token.
+    /// Reads the path that starts at the token with index `start`. Returns the index of the last
+    /// token of the path.
     fn read_path(&mut self, source: &Source, start: usize) -> usize {
         let mut path = vec![source.text(start).to_owned()];
         let mut at = start;
@@ -80,8 +82,8 @@ impl Names {
         at
     }
 
-    /// Reads a tree of imports whose paths begin with a prefix. Returns the index of the token
-    /// after the tree.
+    /// Reads the rest of a `use` declaration. Its imported paths begin with `prefix`. Returns the
+    /// index of the token after the part that was read.
     fn read_use(
         &mut self,
         source: &Source,

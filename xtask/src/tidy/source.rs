@@ -4,14 +4,14 @@ use std::str::FromStr;
 use anyhow::{Result, anyhow};
 use proc_macro2::{Delimiter, Spacing, TokenStream, TokenTree};
 
-/// A Rust file as a flat list of tokens, without comments, attributes and tests.
+/// The tokens of a Rust file in a flat list. Comments, attributes and tests are left out.
 pub(super) struct Source {
     /// Path relative to the root of the project.
     pub(super) path: PathBuf,
     pub(super) tokens: Vec<Token>,
 }
 
-/// An identifier, a literal, `::`, or one character of punctuation or a bracket.
+/// A token: an identifier, a literal, `::`, or a single punctuation character or bracket.
 pub(super) struct Token {
     pub(super) text: String,
     pub(super) line: usize,
@@ -31,7 +31,7 @@ impl Source {
         })
     }
 
-    /// Returns the text of the token at an index, or "" if there is no such token.
+    /// Returns the text of the token at an index, or an empty text if there is no such token.
     pub(super) fn text(&self, index: usize) -> &str {
         self.tokens.get(index).map_or("", |token| &token.text)
     }
@@ -55,7 +55,8 @@ fn flatten(stream: TokenStream, tokens: &mut Vec<Token>) {
                 if is_inner {
                     return;
                 }
-                // Skips the rest of the item, which ends with its body or a semicolon.
+                // Skips the rest of the test item. The item ends with a body in braces or with a
+                // semicolon.
                 trees.by_ref().find(|tree| match tree {
                     TokenTree::Group(group) => group.delimiter() == Delimiter::Brace,
                     tree => tree.to_string() == ";",

@@ -1,7 +1,7 @@
 use std::path::Path;
 
-/// Beginnings of paths that exist only on single machines. Each is split in two parts, so that this
-/// file passes the check.
+/// Beginnings of paths that exist only on one machine. Each text is split in two parts, because
+/// this file must pass the check too.
 const PLACES: [&str; 5] = [
     concat!("/ho", "me/"),
     concat!("/ro", "ot/"),
@@ -10,7 +10,7 @@ const PLACES: [&str; 5] = [
     concat!("../sha", "red"),
 ];
 
-/// Returns a violation for each line with a path that exists only on a single machine.
+/// Returns a violation for each line with a path that exists only on one machine.
 pub(super) fn check(path: &Path, text: &str) -> Vec<String> {
     let mut violations = Vec::new();
     for (line, number) in text.lines().zip(1..) {

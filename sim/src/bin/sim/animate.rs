@@ -75,7 +75,7 @@ fn scene_file(path: &Path) -> Outcome<SceneFile> {
     }
 }
 
-/// Creates the writer of the animation: the file extension of `output` selects the format.
+/// Creates the writer of the animation. The file extension of `output` selects the file format.
 fn film(output: &Path, size: Size, schedule: &Schedule) -> Outcome<Box<dyn Film>> {
     let extension = output.extension().map(|it| it.to_ascii_lowercase());
     let extension = extension.as_deref().and_then(|it| it.to_str());

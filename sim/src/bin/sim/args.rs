@@ -40,8 +40,8 @@ pub(crate) enum Command {
     },
     /// Render an animated scene to a GIF, an animated PNG, or numbered PNGs.
     ///
-    /// The scene's table `animation` has the keyframes. If a scene has no such table, the camera
-    /// makes one orbit.
+    /// The table `animation` of the scene file has the keyframes. Without this table, the camera
+    /// makes one orbit around the scene.
     Animate(Animate),
     /// Compile a scene to the binary format that microcontrollers decode.
     Compile {
@@ -51,20 +51,20 @@ pub(crate) enum Command {
         #[arg(short, long, value_name = "FILE")]
         output: PathBuf,
     },
-    /// Send a scene to a board by USB. The board shows it until reset.
+    /// Send a scene to a board by USB. The board shows the scene until its next reset.
     ///
-    /// The board checks the scene first: if the transfer is incomplete or the scene cannot be
-    /// drawn, the board keeps its current scene.
+    /// The board checks the scene before it draws. If the transfer is incomplete or the scene
+    /// cannot be drawn, the board keeps its current scene.
     Send(Send),
     /// Print the tree of rays behind a pixel's color.
     ///
-    /// Each line of the tree is a ray. The letter is its kind: C for camera, R for reflected, T for
-    /// transmitted, S for a shadow ray to a light. The line shows the object that the ray hits, the
-    /// share of the color at the hit that reaches the camera (weight), and the color of the surface
-    /// without reflected and transmitted light (local). The line of a shadow ray
-    /// shows the light, and how much of it reaches the surface.
+    /// Each line of the tree shows a ray. The line starts with the kind of the ray: C for camera, R
+    /// for reflected, T for transmitted, S for shadow. The object that the ray hits comes next.
+    /// `weight` is the share of the object's color that reaches the camera. `local` is the color of
+    /// the surface without reflected and transmitted light. A shadow ray's line shows a light, and
+    /// how much of this light reaches the surface.
     Explain(Explain),
-    /// Render scenes into a directory, with an HTML page that shows them.
+    /// Render scenes to PNGs in a directory, and write an HTML page that shows the PNGs.
     Gallery(Gallery),
     /// List the displays that `render` and `view` simulate.
     Displays,
@@ -85,10 +85,10 @@ pub(crate) struct Render {
     pub(crate) display_options: DisplayOptions,
     #[command(flatten)]
     pub(crate) passes: Passes,
-    /// Write linear colors with 16 bits per channel, without converting them for a display.
+    /// Write linear colors with 16 bits per channel, instead of a display's colors.
     #[arg(long, conflicts_with_all = ["format", "dither", "transfer", "order", "limit"])]
     pub(crate) linear16: bool,
-    /// Simulate a display, with its size, format and colors; `sim displays` lists them.
+    /// Simulate the size, format and colors of a display. `sim displays` lists the displays.
     #[arg(long, value_name = "NAME", value_parser = Display::named)]
     #[arg(conflicts_with_all = ["size", "format", "linear16"])]
     pub(crate) display: Option<Display>,
@@ -101,7 +101,8 @@ pub(crate) struct Render {
     )]
     #[arg(value_parser = value_parser!(u32).range(1..=16))]
     pub(crate) scale: u32,
-    /// Print rays, intersection tests, time, estimates for microcontrollers, and the checksum.
+    /// Print numbers of rays and intersection tests, the time, estimated times on microcontrollers,
+    /// and the checksum.
     #[arg(long)]
     pub(crate) stats: bool,
 }
@@ -110,7 +111,8 @@ pub(crate) struct Render {
 pub(crate) struct Animate {
     /// A scene file, or the name of a scene in scenes/.
     pub(crate) scene: PathBuf,
-    /// GIF or APNG (FILE.apng or FILE.png) to write, or a directory for numbered PNGs.
+    /// File to write, a GIF (FILE.gif) or an APNG (FILE.apng or FILE.png), or a directory for
+    /// numbered PNGs.
     #[arg(short, long, value_name = "FILE|DIR")]
     pub(crate) output: PathBuf,
     /// Frames per second [default: 20].

@@ -17,7 +17,8 @@ pub(crate) struct Display {
     pub(crate) format: Format,
     controller: &'static str,
     note: &'static str,
-    /// True if the display is round: only the inscribed circle of the pixel area is visible.
+    /// True if the display is round. It then shows only the pixels inside a circle that touches the
+    /// sides of the pixel area.
     is_round: bool,
     /// Colors of a one-bit display.
     theme: BinaryColorTheme,

@@ -1,4 +1,4 @@
-//! Renders scenes to a simulated display, in its color format and order of drawing.
+//! Renders scenes to a simulated display.
 
 use std::time::Duration;
 
@@ -15,7 +15,7 @@ use crate::outcome::Outcome;
 use crate::panel::Panel;
 use crate::progress::Progress;
 
-/// A picture on a display, with the counted work and the time of its rendering.
+/// A picture on a display, the work that was counted while it was rendered, and the rendering time.
 pub(crate) struct Drawing {
     pub(crate) image: OutputImage<Rgb888>,
     pub(crate) work: Work,
@@ -37,7 +37,8 @@ pub(crate) fn draw(
     Ok(Drawing { image, work, time })
 }
 
-/// Draws a scene on a display and advances a progress bar that may cover several frames.
+/// Draws a scene on a display, and advances a progress bar. An animation uses one progress bar for
+/// all frames.
 pub(crate) fn draw_frame(
     scene: &PreparedScene<'_>,
     size: Size,
@@ -60,7 +61,7 @@ pub(crate) fn draw_frame(
             renderer.observer().clone()
         }
     };
-    // The simulator's default output settings do not change the display's values.
+    // With the default settings, the simulator does not change the pixels of the display.
     let settings = OutputSettings::default();
     Ok((panel.display.to_rgb_output_image(&settings), work))
 }

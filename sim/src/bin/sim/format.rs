@@ -1,6 +1,7 @@
 use clap::ValueEnum;
 
-/// Color formats of displays. Formats that differ only in channel order give the same picture.
+/// Color formats of displays. The order of the color channels (RGB or BGR) is left out, because it
+/// does not change the picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Format {
     /// 24 bits per pixel

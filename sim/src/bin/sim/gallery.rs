@@ -1,4 +1,5 @@
-//! `sim gallery`: renders scenes, an HTML page that shows them, and a contact sheet.
+//! `sim gallery`: renders scenes to PNGs, and writes an HTML page and a contact sheet that show
+//! them.
 
 mod page;
 mod sheet;

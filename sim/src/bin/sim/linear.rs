@@ -13,7 +13,8 @@ use crate::draw::two_lines;
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 
-/// A picture in linear colors, with the counted work and the time of its rendering.
+/// A picture in linear colors, the work that was counted while it was rendered, and the rendering
+/// time.
 pub(crate) struct Linear {
     pub(crate) picture: Picture,
     pub(crate) work: Work,

@@ -1,5 +1,5 @@
-//! Host simulator: renders and animates scene files, compares pictures, prints ray trees, checks
-//! and compiles scenes, and sends them to boards.
+//! The simulator for the host. It renders, animates, checks and compiles scenes, and sends scenes
+//! to boards. It also compares pictures and prints ray trees.
 //!
 //! ```text
 //! args ── open (scene) ── draw or linear ──> display ──> PNG, terminal, window

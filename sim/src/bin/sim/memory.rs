@@ -5,9 +5,9 @@ use whitted::scene::SceneCounts;
 
 /// Returns the size in bytes of a `SceneBuffer` with these capacities.
 ///
-/// The size grows by a constant number of bytes per object, per light, per material, and per pair
-/// of a light and an object. The constants are computed from the sizes of small buffers, because
-/// the capacities of a buffer are const generics and `counts` is known only at run time.
+/// The size grows by a constant number of bytes for each object, light, material, and pair of a
+/// light and an object. The capacities of a buffer are const generics, but `counts` is known only
+/// at run time. The constants are therefore computed from the sizes of small buffers.
 pub(crate) fn memory(counts: SceneCounts) -> usize {
     let SceneCounts {
         objects,

@@ -23,8 +23,8 @@ impl Scene {
         Self::read(&find(path)?)
     }
 
-    /// Reads a scene from a path. A file whose name does not end in .toml may be a scene file or a
-    /// compiled scene.
+    /// Reads a scene from a file. If the file name does not end in .toml, the content decides
+    /// whether the file is a scene file or a compiled scene.
     pub(crate) fn read(path: &Path) -> Outcome<Self> {
         let name = path.display().to_string();
         if path
@@ -59,7 +59,8 @@ impl Scene {
         }
     }
 
-    /// Prepares the scene for rendering, with the ray limits of the command line.
+    /// Prepares the scene for rendering, and applies the limits of the ray tree from the command
+    /// line.
     pub(crate) fn prepare_for<'b>(
         &'b self,
         quality: &Quality,
@@ -84,8 +85,8 @@ impl Scene {
         }
     }
 
-    /// Returns the type and material of an object, or `None` for a compiled scene, which has no
-    /// names.
+    /// Returns the type and material of an object, or `None` if the scene is compiled. Compiled
+    /// scenes have no names.
     pub(crate) fn describe(&self, object: u16) -> Option<String> {
         match self {
             Self::File(file) => file.describe(object),
@@ -94,7 +95,7 @@ impl Scene {
     }
 }
 
-/// Replaces the scene's ray limits by those on the command line.
+/// If the command line sets limits of the ray tree, replaces the scene's limits.
 pub(crate) fn apply_overrides(scene: &mut PreparedScene<'_>, quality: &Quality) -> Outcome {
     if let Some(max_depth) = quality.max_depth {
         let set = scene.set_max_depth(max_depth);
@@ -156,8 +157,8 @@ pub(crate) fn find(path: &Path) -> Outcome<PathBuf> {
     Err(format!("{}: no such scene{}", path.display(), help(path)).into())
 }
 
-/// Returns the help text for an unknown scene. The text has the nearest scene name, or all names if
-/// none is near.
+/// Returns the help text for an unknown scene. The text suggests the scene with the most similar
+/// name, or lists all scenes if no name is similar.
 fn help(path: &Path) -> String {
     let stem = |path: &Path| Some(path.file_stem()?.to_str()?.to_owned());
     let scenes = all_scenes().unwrap_or_default();

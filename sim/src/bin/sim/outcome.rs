@@ -1,4 +1,4 @@
 use std::error::Error;
 
-/// Result of a command. Each error names the file or the option.
+/// Result of a command. The message of an error names the file or option that caused the error.
 pub(crate) type Outcome<T = ()> = Result<T, Box<dyn Error>>;

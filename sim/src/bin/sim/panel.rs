@@ -1,7 +1,8 @@
 //! A draw target whose color format is chosen at run time.
 //!
-//! The renderer is generic over the color type of the draw target. This draw target has a single
-//! color type, which stores the radiance, so the renderer is not compiled once per color format.
+//! The renderer is generic over the color type of the draw target. This draw target has one color
+//! type for all formats, so the renderer is compiled only once. The color type stores the radiance,
+//! which the draw target converts to the chosen format.
 
 use std::convert::Infallible;
 
@@ -22,7 +23,7 @@ pub(crate) struct Panel {
     pub(crate) format: Format,
 }
 
-/// Radiance of a pixel, to be converted to the display's format.
+/// Radiance of a pixel. It is converted to the display's color format later.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct DeferredColor {
     color: Color<Radiance>,
@@ -42,7 +43,7 @@ impl whitted::render::DisplayColor for DeferredColor {
 }
 
 impl DeferredColor {
-    /// Converts the color to a display format, and then to the 24-bit color that shows it on the
+    /// Converts the radiance to a display's color format, and the result to a 24-bit color for the
     /// host.
     fn convert(self, format: Format) -> Rgb888 {
         match format {

@@ -2,7 +2,7 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-/// Progress bar on stderr, shown for work that takes longer than a second.
+/// A progress bar on stderr. It appears only if the work takes longer than a second.
 pub(crate) struct Progress {
     start: Instant,
     lines: u64,

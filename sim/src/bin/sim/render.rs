@@ -60,15 +60,15 @@ pub(crate) fn render(options: &Render) -> Outcome {
             return Ok(());
         }
         report::stats(&drawing.work, drawing.time)?;
-        // The checksum is defined on 16-bit linear samples, but the picture has the format of the
-        // display, so the scene is rendered a second time.
+        // The checksum is computed from 16-bit linear samples, but the picture has the display's
+        // color format. The scene is therefore rendered a second time.
         library::checksum(&linear(&prepared, display.size, samples)?.picture)
     };
     report::checksum(checksum);
     Ok(())
 }
 
-/// Returns the default output: a PNG in the current directory, named after the scene.
+/// Returns the default output path, which is a PNG in the current directory with the scene's name.
 fn default_output(scene: &Path) -> PathBuf {
     let stem = scene.file_stem().unwrap_or(scene.as_os_str());
     Path::new(stem).with_extension("png")

@@ -24,8 +24,8 @@ pub(crate) fn save(image: &OutputImage<Rgb888>, path: &Path) -> Outcome {
     Ok(())
 }
 
-/// Prints the rays and intersection tests of a rendering, its time, and estimates of the time on
-/// microcontrollers.
+/// Prints the numbers of rays and intersection tests of a frame, its rendering time on the host,
+/// and its estimated time on microcontrollers.
 pub(crate) fn stats(work: &Work, time: Duration) -> Outcome {
     let Stats {
         camera,

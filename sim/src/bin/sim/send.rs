@@ -11,8 +11,8 @@ use crate::args::Send;
 use crate::open::Scene;
 use crate::outcome::Outcome;
 
-/// Longest wait for the answer of a board. A board reads the port after each line that it renders,
-/// and a line takes at most two seconds.
+/// Longest time to wait for the answer of a board. A board reads the port after each line that it
+/// renders. It renders a line in at most two seconds.
 const ANSWER_TIMEOUT: Duration = Duration::from_secs(5);
 
 /// Baud rate of the serial port. USB ignores the rate, but opening a port requires one.
@@ -87,7 +87,8 @@ fn exchange(port: &SerialPort, compiled: &[u8]) -> Result<&'static str, String> 
             }) if received == ticket => {
                 return Err(format!("the board refuses the scene: {why}{REFUSED}"));
             }
-            // A report of a broken transfer may concern an earlier transfer that was interrupted.
+            // This answer may concern an earlier transfer that was interrupted, so the loop
+            // continues.
             Some(Answer::Broken { why }) => {
                 damaged = Some(format!("the scene did not arrive: {why}{DAMAGED}"));
             }
@@ -97,8 +98,8 @@ fn exchange(port: &SerialPort, compiled: &[u8]) -> Result<&'static str, String> 
     Err(damaged.unwrap_or_else(|| NO_ANSWER.to_owned()))
 }
 
-/// Returns a number for a transfer: the time in milliseconds, modulo 2^16. Two successive transfers
-/// very likely have different numbers.
+/// Returns a number that identifies a transfer: the current time in milliseconds, modulo 2^16. Two
+/// successive transfers very likely have different numbers.
 fn ticket() -> u16 {
     let since = SystemTime::now().duration_since(UNIX_EPOCH);
     since.unwrap_or_default().as_millis() as u16
@@ -112,7 +113,7 @@ struct Lines<'p> {
 }
 
 impl Lines<'_> {
-    /// Returns the next line, or `None` if the deadline passes first.
+    /// Returns the next line, or `None` if no complete line arrives before the deadline.
     fn next_before(&mut self, deadline: Instant) -> Result<Option<String>, String> {
         loop {
             if let Some(end) = self.bytes.iter().position(|byte| *byte == b'\n') {

@@ -7,11 +7,12 @@ use image::{DynamicImage, ImageBuffer};
 
 use crate::outcome::Outcome;
 
-/// Smallest width of a picture in columns. It is used if the terminal reports less, or no width.
+/// Smallest width of a picture, in columns of text. If the terminal is narrower or reports no
+/// width, the picture has this width.
 const MIN_WIDTH: u16 = 40;
 
-/// Shows a picture if stdout is a terminal. Otherwise prints nothing, because a file or pipe would
-/// receive escape sequences.
+/// Shows a picture if stdout is a terminal. Otherwise prints nothing, so that no escape sequences
+/// are written to a file or pipe.
 pub(crate) fn show(picture: &OutputImage<Rgb888>) -> Outcome {
     if !stdout().is_terminal() || variable("TERM") == "dumb" {
         return Ok(());
@@ -33,8 +34,8 @@ pub(crate) fn show(picture: &OutputImage<Rgb888>) -> Outcome {
 
 /// Returns true if the terminal supports kitty's graphics protocol.
 ///
-/// The function only reads environment variables. A query to the terminal would block if the
-/// terminal does not answer.
+/// The function only reads environment variables. It does not query the terminal, because a
+/// terminal that does not answer would block the program.
 fn supports_kitty() -> bool {
     let names = ["TERM", "TERM_PROGRAM"].map(variable);
     names

@@ -1,4 +1,4 @@
-//! `sim view`: shows scenes in a window, with keys for camera and display options.
+//! `sim view`: shows scenes in a window. Keys move the camera and change display options.
 //!
 //! ```text
 //! window (SDL) ── keys ──> workbench ── frame, drawn in steps ──> window

@@ -8,8 +8,9 @@ const HELP: &str = "this build cannot open windows
   help: install SDL 2 (Debian: apt install libsdl2-dev; macOS: brew install sdl2), then
         cargo run --release --package whitted-sim --features window -- view";
 
-/// Handles `sim view` in a program without the feature `window`. If Cargo started this program,
-/// runs Cargo again with the feature. Otherwise returns an error that shows the command to run.
+/// Implements `sim view` if the program was built without the feature `window`. If Cargo started
+/// the program, runs Cargo again with the feature. Otherwise, returns an error that shows the
+/// command to run.
 pub(crate) fn view(_options: &View) -> Outcome {
     let Some(cargo) = env::var_os("CARGO") else {
         return Err(HELP.into());

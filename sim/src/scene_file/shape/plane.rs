@@ -24,7 +24,8 @@ fn read(table: &Table<'_>) -> Result<Shape, LoadError> {
     })
 }
 
-/// Reads the clip box of a plane. The box is unbounded along an axis without an interval.
+/// Reads the clip box of a plane. If the file gives no interval for an axis, the box is unbounded
+/// along that axis.
 fn bounds(table: &Table<'_>) -> Result<ClipBox, LoadError> {
     let Some(value) = table.get("bounds") else {
         return Ok(ClipBox::NONE);

@@ -6,7 +6,7 @@ use crate::scene_file::shape_reader::ShapeReader;
 use crate::scene_file::table::Table;
 use crate::scene_file::value::Value;
 
-/// Largest number of generations that `Shape::Sphereflake` supports.
+/// Largest number of generations of spheres that `Shape::Sphereflake` supports.
 const MAX_DEPTH: u8 = 8;
 
 pub(super) const READER: ShapeReader = ShapeReader {
@@ -35,8 +35,8 @@ fn read(table: &Table<'_>) -> Result<Shape, LoadError> {
     })
 }
 
-/// Reads the basis of a sphereflake. The library checks that the rows are orthonormal when it
-/// prepares the scene.
+/// Reads the basis of a sphereflake. The library checks later, when it prepares the scene, that the
+/// rows are orthonormal.
 fn frame(rows: &Value<'_>) -> Result<[Vec3<Real>; 3], LoadError> {
     let [u, v, w] = rows.array("three rows [u, v, w]")?;
     Ok([u.vector()?, v.vector()?, w.vector()?])

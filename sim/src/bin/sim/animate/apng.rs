@@ -14,8 +14,8 @@ use crate::outcome::Outcome;
 /// Unit of frame delays: 1/1000 s.
 const UNITS_PER_SECOND: u16 = 1000;
 
-/// Writes an animated PNG with 24-bit colors. Each frame after the first stores only the area that
-/// changed.
+/// Writes an animated PNG with 24-bit colors. The first frame is stored whole. Each later frame
+/// stores only the area that differs from the previous frame.
 struct Apng {
     path: PathBuf,
     writer: png::Writer<BufWriter<File>>,
@@ -33,7 +33,7 @@ pub(super) fn film(path: &Path, size: Size, schedule: &Schedule) -> Outcome<Box<
         encoder.set_color(png::ColorType::Rgb);
         encoder.set_depth(png::BitDepth::Eight);
         encoder.set_compression(png::Compression::High);
-        // In APNG, a number of plays of 0 repeats the animation without end.
+        // In APNG, 0 plays means that the animation repeats without end.
         encoder.set_animated(frames as u32, u32::from(!schedule.looping))?;
         encoder.write_header()
     };

@@ -3,8 +3,9 @@
 use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::primitives::Rectangle;
 
-/// Returns the smallest rectangle that contains all changed pixels of a frame. If no pixel changed,
-/// the rectangle has one pixel. Pixels have `N` bytes and are stored row by row.
+/// Returns the smallest rectangle that contains all pixels that differ between two frames. If no
+/// pixel differs, the rectangle has one pixel. A pixel has `N` bytes, and pixels are stored row by
+/// row.
 pub(super) fn changed_area<const N: usize>(
     previous: &[u8],
     current: &[u8],

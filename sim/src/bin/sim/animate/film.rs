@@ -4,7 +4,7 @@ use crate::outcome::Outcome;
 
 /// Writes the frames of an animation to a file, in order.
 pub(super) trait Film {
-    /// Adds the next frame. `pixels` has three bytes per pixel: red, green and blue.
+    /// Adds the next frame. Each pixel has three bytes in `pixels`: red, green and blue.
     fn add(&mut self, pixels: &[u8]) -> Outcome;
 
     /// Completes the animation's file.

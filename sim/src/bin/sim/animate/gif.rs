@@ -15,7 +15,7 @@ use crate::outcome::Outcome;
 /// Unit of frame delays: 1/100 s.
 const UNITS_PER_SECOND: u32 = 100;
 
-/// Writes a GIF. Keeps all frames until the end, because they share one palette.
+/// Writes a GIF. All frames stay in memory until the end, because they share one palette.
 struct Gif {
     path: PathBuf,
     file: BufWriter<File>,
@@ -54,7 +54,8 @@ impl Film for Gif {
 
 impl Gif {
     fn write(self) -> Result<(), EncodingError> {
-        // A side fits 16 bits, because the command line limits it to 8192 pixels.
+        // The width and the height fit in 16 bits, because the command line limits them to 8192
+        // pixels.
         let [width, height] = [self.size.width, self.size.height].map(|side| side as u16);
         let mut palette = Palette::new(&self.frames);
         let mut encoder = Encoder::new(self.file, width, height, &palette.colors())?;
@@ -83,8 +84,8 @@ impl Gif {
     }
 }
 
-/// Returns the area of a frame that differs from the previous frame, and the color indices of its
-/// pixels. Unchanged pixels in the area are transparent.
+/// Returns the area in which a frame differs from the previous frame, and the color indices of the
+/// pixels in this area. Unchanged pixels in the area are transparent.
 fn difference(
     previous: Option<&[u8]>,
     current: &[u8],

@@ -7,8 +7,8 @@ use super::film::{Film, unwritable};
 use super::schedule::Schedule;
 use crate::outcome::Outcome;
 
-/// Writes the frames of an animation as numbered PNGs: `frame-0000.png`, `frame-0001.png` and so
-/// on.
+/// Writes each frame of an animation to a PNG with a number: `frame-0000.png`, `frame-0001.png` and
+/// so on.
 struct Numbered {
     directory: PathBuf,
     size: Size,

@@ -4,24 +4,28 @@ use std::collections::{BTreeSet, HashMap};
 
 use color_quant::NeuQuant;
 
-/// Number of colors in a GIF palette. The 256th index is reserved for transparent pixels.
+/// Largest number of colors in a GIF palette. Of the 256 indices, one is reserved for transparent
+/// pixels.
 const COLORS: usize = 255;
 
-/// Number of pixels on which the neural net that selects the palette is trained.
+/// Intended number of pixels for the training of the neural net, which selects the palette's
+/// colors.
 const TRAINING_PIXELS: usize = 1 << 19;
 
-/// One palette for all frames of a GIF. If each frame had its own, static parts would flicker.
+/// The palette that all frames of a GIF share. With a palette for each frame, static parts of the
+/// picture would flicker.
 pub(super) struct Palette {
     colors: Vec<u8>,
     /// Cache of the palette indices of colors.
     cache: HashMap<[u8; 3], u8>,
-    /// Neural net that maps colors to indices; `None` if every color is in the palette.
+    /// Neural net that maps colors to palette indices, or `None` if the palette has every color of
+    /// the frames.
     net: Option<NeuQuant>,
 }
 
 impl Palette {
-    /// Creates the palette for frames. If they have at most 255 colors, the palette has them all.
-    /// Otherwise a neural net selects 255 colors (Dekker 1994).
+    /// Creates one palette for all frames. If the frames have at most 255 colors in total, the
+    /// palette has all of these colors. Otherwise, a neural net selects 255 colors (Dekker 1994).
     pub(super) fn new(frames: &[Vec<u8>]) -> Self {
         let pixels = || frames.iter().flat_map(|frame| frame.as_chunks::<3>().0);
         let mut distinct = BTreeSet::new();
@@ -51,8 +55,8 @@ impl Palette {
         }
     }
 
-    /// Returns the palette as three bytes per color (red, green, blue). The transparent color is
-    /// last.
+    /// Returns the palette's colors. Each color has three bytes: red, green and blue. The last
+    /// color is the transparent one.
     pub(super) fn colors(&self) -> Vec<u8> {
         [&self.colors[..], &[0; 3]].concat()
     }

@@ -21,11 +21,12 @@ pub(super) struct Schedule {
 }
 
 impl Schedule {
-    /// Creates the schedule for a frame rate and a number of frames.
+    /// Creates the schedule from a frame rate and a number of frames, which are both optional.
     ///
-    /// If only the rate or only the number is given, the frames cover the whole animation. If both
-    /// are given, the frames start at time 0 and may cover only a part of the animation. A looping
-    /// animation leaves out its last frame, which equals the first; other animations include it.
+    /// If the rate and the number are both given, the frames start at time 0 and may cover only a
+    /// part of the animation. Otherwise, the frames cover the whole animation. The last frame of a
+    /// looping animation is before its end, because the end looks like the start. The last frame of
+    /// any other animation is at its end.
     pub(super) fn new(
         animation: &FileAnimation,
         fps: Option<u16>,
@@ -66,10 +67,10 @@ impl Schedule {
         })
     }
 
-    /// Returns the duration of a frame in units of 1/`per_second` s.
+    /// Returns the duration of a frame. The unit is 1/`per_second` of a second.
     ///
-    /// Rounds the time at which each frame ends and returns the difference to the previous end, so
-    /// the rounding errors of durations do not add up.
+    /// A frame lasts from the end of the previous frame to its own end. These two times are rounded
+    /// instead of the duration, so rounding errors do not add up.
     pub(super) fn delay(&self, frame: usize, per_second: u32) -> u16 {
         let end = |frames: usize| to_units(self.interval * Real::from_num(frames), per_second);
         let delay = end(frame + 1) - end(frame);
@@ -77,7 +78,7 @@ impl Schedule {
     }
 }
 
-/// Converts seconds to units of 1/`per_second` s, rounded to nearest.
+/// Converts seconds to units of 1/`per_second` of a second, and rounds to the nearest unit.
 fn to_units(seconds: Real, per_second: u32) -> u64 {
     let twice = (i128::from(seconds.to_bits()) * i128::from(per_second)) >> 31;
     ((twice + 1) >> 1) as u64

@@ -1,5 +1,5 @@
-//! Command-line options that several commands share: picture size, ray limits, display format, and
-//! order of drawing.
+//! Command-line options that several commands share. They set the picture size, the limits of the
+//! ray tree, the display format, and the order of drawing.
 
 use clap::{ValueEnum, value_parser};
 use embedded_graphics::geometry::Size;
@@ -64,10 +64,10 @@ pub(crate) struct Passes {
     /// Order in which the display receives its pixels.
     #[arg(long, value_enum, default_value_t)]
     pub(crate) order: Order,
-    /// Stop after N passes; progressive order has five passes, scanline order has one.
+    /// Stop after N passes. Progressive order has five passes, and scanline order has one.
     #[arg(long = "passes", value_name = "N", default_value_t = Self::ALL, value_parser = value_parser!(u8).range(1..=5))]
     pub(crate) limit: u8,
-    /// Antialias edges: trace N more rays through pixels that differ from their neighbors.
+    /// Smooth edges: trace N more rays through each pixel that differs from a neighbor.
     #[arg(long, value_enum, value_name = "N", conflicts_with_all = ["order", "limit"])]
     antialias: Option<Antialias>,
 }
@@ -75,12 +75,13 @@ pub(crate) struct Passes {
 impl Passes {
     const ALL: u8 = 5;
 
-    /// Returns the number of rays per antialiased pixel, or `None` without antialiasing.
+    /// Returns the number of additional rays for a pixel at an edge, or `None` without
+    /// antialiasing.
     pub(crate) fn samples(&self) -> Option<SampleCount> {
         self.antialias.map(Into::into)
     }
 
-    /// Returns the side of the square blocks that each pass draws, in pixels.
+    /// Each pass draws square blocks. Returns the side of the blocks of each pass, in pixels.
     pub(crate) fn blocks(&self) -> &'static [u32] {
         let blocks: &[u32] = match self.order {
             Order::Scanlines => &[1],

@@ -9,8 +9,8 @@ use super::Display;
 use crate::format::Format;
 
 impl Display {
-    /// Returns the picture as it looks on the display: in the colors of the display, and black
-    /// outside a round display. Each display pixel becomes a square of `scale` by `scale` pixels.
+    /// Returns the picture in the colors of the display. Pixels outside a round display are black.
+    /// Each display pixel becomes a square of `scale` by `scale` pixels.
     pub(crate) fn appearance(
         &self,
         image: &OutputImage<Rgb888>,

@@ -16,7 +16,7 @@ const MAX_THUMBNAIL: Size = Size::new(160, 120);
 const MARGIN: u32 = 8;
 const BACKGROUND: Rgb888 = Rgb888::new(32, 32, 32);
 
-/// Contact sheet: thumbnails of pictures of the same size, in rows.
+/// A contact sheet, which shows thumbnails in rows. All pictures must have the same size.
 pub(super) struct Sheet {
     display: SimulatorDisplay<Rgb888>,
     thumbnail: Size,
@@ -59,7 +59,8 @@ impl Sheet {
     }
 }
 
-/// Returns the largest allowed thumbnail size that keeps the aspect ratio of a picture.
+/// Returns the size of the largest thumbnail that fits in [`MAX_THUMBNAIL`] and has the aspect
+/// ratio of the picture.
 fn thumbnail_size(picture: Size) -> Size {
     let Size { width, height } = picture;
     let scaled = |side: u32, to: u32, from: u32| (side * to / from).max(1);

@@ -2,10 +2,10 @@ use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics_simulator::OutputImage;
 
-/// Returns the pixels of a picture scaled to another size, row by row.
+/// Scales a picture to another size, and returns the pixels row by row.
 ///
-/// Each pixel of the result is the mean of the area that it covers in the picture. The values are
-/// linear, so no gamma correction is needed.
+/// Each pixel of the result is the mean of the picture's pixels that it covers. The picture has
+/// linear colors, so no gamma correction is needed.
 pub(super) fn thumbnail(image: &OutputImage<Rgb888>, size: Size) -> impl Iterator<Item = Rgb888> {
     let buffer = image.as_image_buffer();
     let (width, height) = buffer.dimensions();
@@ -27,10 +27,11 @@ pub(super) fn thumbnail(image: &OutputImage<Rgb888>, size: Size) -> impl Iterato
     })
 }
 
-/// Scales a line of `from` source pixels to `to` target pixels. Returns the source pixels that the
-/// target pixel `index` covers, each with its weight.
+/// Scales a line from `from` source pixels to `to` target pixels. Returns the indices and weights
+/// of the source pixels that the target pixel `index` covers.
 ///
-/// A fully covered source pixel has the weight `to`, a partly covered one less.
+/// The weight is `to` for a source pixel that is fully covered, and smaller for a partly covered
+/// one.
 fn covered(index: u32, from: u32, to: u32) -> impl Iterator<Item = (u32, u64)> {
     let [index, from, to] = [index, from, to].map(u64::from);
     let (start, end) = (index * from, (index + 1) * from);

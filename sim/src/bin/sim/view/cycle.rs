@@ -1,4 +1,4 @@
-/// A cyclic list with a current item. After the last item, the list continues with the first.
+/// A cyclic list with a current item. The first item follows the last item.
 pub(super) struct Cycle<T> {
     items: Vec<T>,
     current: usize,
@@ -39,7 +39,7 @@ impl<T> Cycle<T> {
 }
 
 impl<T: PartialEq> Cycle<T> {
-    /// Makes the entry that equals `item` current, if the list has such an entry.
+    /// If the list contains `item`, makes it the current item.
     pub(super) fn starting_at(mut self, item: &T) -> Self {
         let found = self.items.iter().position(|other| other == item);
         self.current = found.unwrap_or(self.current);

@@ -14,12 +14,13 @@ use crate::panel::Panel;
 /// Rays per drawing step. A step takes a few milliseconds.
 const STEP: Step = Step::Rays(2000);
 
-/// A picture that is drawn in steps, so that the window stays responsive.
+/// A picture that is drawn in short steps, so that the window can react to keys between two steps.
 pub(super) struct Frame {
     panel: Panel,
     display: Display,
     drawing: RenderProgress,
-    /// Antialiasing, applied after the picture was drawn without antialiasing.
+    /// Number of additional rays at edges. The picture is first drawn without antialiasing, and
+    /// then redrawn with it. `None` if the picture is not to be redrawn.
     edges: Option<SampleCount>,
     /// Work done so far.
     pub(super) work: Work,
@@ -44,7 +45,7 @@ impl Frame {
         }
     }
 
-    /// Restarts the drawing. The old picture stays until new pixels replace it.
+    /// Starts to draw the picture again. The old pixels stay until new pixels replace them.
     pub(super) fn restart(
         &mut self,
         scene: &PreparedScene<'_>,
@@ -80,8 +81,8 @@ impl Frame {
         self.work = renderer.observer().clone();
     }
 
-    /// Redraws the whole picture with antialiasing, if requested. The call takes a few tenths of a
-    /// second, because antialiased lines cannot be drawn in separate steps.
+    /// If antialiasing is selected, redraws the whole picture with antialiasing. The call takes a
+    /// few tenths of a second, because it cannot be divided into steps.
     fn smooth(&mut self, scene: &PreparedScene<'_>, output: Output) {
         let Some(samples) = self.edges.take() else {
             return;
@@ -89,7 +90,7 @@ impl Frame {
         let (size, work) = (self.panel.size(), Work::new(scene, self.panel.size()));
         let mut lines = two_lines(size);
         let smooth = AntialiasedRenderer::with_observer(scene, size, samples, &mut lines, work);
-        // A picture that is too large for the antialiasing renderer is not antialiased.
+        // If the picture is too large for the antialiasing renderer, it stays as it is.
         if let Ok(mut smooth) = smooth {
             smooth.set_output(output);
             let Ok(()) = smooth.draw(&mut self.panel);
@@ -108,11 +109,12 @@ impl Frame {
         self.drawing.is_complete() && self.edges.is_none()
     }
 
-    /// Returns the share of the pixels that were traced, in percent.
+    /// Returns how much of the picture is traced, in percent of its pixels.
     pub(super) fn percent(&self) -> u64 {
         let Size { width, height } = self.panel.size();
         let pixels = u64::from(width) * u64::from(height);
-        // The share is limited to 100 %, because antialiasing traces several camera rays per pixel.
+        // With antialiasing, a pixel can have several camera rays. The result is therefore limited
+        // to 100 %.
         (u64::from(self.work.stats.camera) * 100 / pixels).min(100)
     }
 }

@@ -20,8 +20,8 @@ pub(super) struct Options {
 }
 
 impl Options {
-    /// Creates the options. The list of displays begins with the display `plain`. Selects `display`
-    /// if given, else `plain`.
+    /// Creates the options. The list of displays begins with `plain`. If `display` is given, it is
+    /// the selected display. Otherwise, `plain` is selected.
     pub(super) fn new(plain: Display, display: Option<Display>) -> Self {
         let [board, boards @ ..] = BOARDS;
         Self {
@@ -34,7 +34,8 @@ impl Options {
         }
     }
 
-    /// Selects the next color format, even if the real display does not support the format.
+    /// Selects the next color format for the display, even if the real display does not support
+    /// this format.
     pub(super) fn next_format(&mut self) {
         let display = self.displays.current_mut();
         let formats = Format::value_variants();

@@ -24,7 +24,7 @@ impl Source {
         })
     }
 
-    /// Reads the scene file. If the file has an error, the last good scene is kept.
+    /// Reads the scene file again. If the file has an error, the last valid scene stays.
     pub(super) fn read(&mut self, buffer: &mut Buffer) {
         let scene = Scene::read(&self.path).and_then(|scene| {
             scene.prepare(buffer)?;
@@ -39,7 +39,7 @@ impl Source {
         }
     }
 
-    /// Returns the last good scene, or `None` if every version of the file had an error.
+    /// Returns the last valid scene, or `None` if the file has had an error every time.
     pub(super) fn scene(&self) -> Option<&Scene> {
         self.scene.as_ref()
     }
@@ -55,7 +55,7 @@ impl Source {
         stem.to_string_lossy().into_owned()
     }
 
-    /// Removes the directory from a message that begins with the file's path.
+    /// Shortens the path of the file in a message to the file name.
     fn shortened(&self, message: &str) -> String {
         let name = self.path.file_name().unwrap_or_default().to_string_lossy();
         message.replacen(&self.path.display().to_string(), &name, 1)

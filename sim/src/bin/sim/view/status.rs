@@ -21,7 +21,8 @@ pub(super) const HEIGHT: u32 = LINES as u32 * LINE_HEIGHT + 2 * MARGIN;
 pub(super) const BACKGROUND: Rgb888 = Rgb888::new(0x14, 0x16, 0x1a);
 const PLAIN: Rgb888 = Rgb888::new(0xb8, 0xbe, 0xc8);
 const BRIGHT: Rgb888 = Rgb888::WHITE;
-/// Color of errors in the status text. The test in `tests/window` searches the window for it.
+/// Color of errors in the status text. The test in `tests/window` searches the window for this
+/// color.
 pub(super) const ERROR: Rgb888 = Rgb888::new(0xff, 0x6b, 0x5e);
 
 /// Content of the status text.
@@ -95,7 +96,8 @@ impl Status<'_> {
         format!("{scene} ({} of {count}) on {options}", place + 1)
     }
 
-    /// Formats the rendering work done so far, and the estimated time on the selected board.
+    /// Formats the work that the renderer has done so far, and its estimated time on the selected
+    /// board.
     fn work(&self) -> String {
         let Stats {
             camera,
@@ -127,7 +129,7 @@ impl Status<'_> {
     }
 }
 
-/// Wraps a text between words, so that each line has at most `columns` columns.
+/// Breaks a text into lines of at most `columns` columns. Lines break between words.
 fn wrapped(text: &str, columns: usize) -> impl Iterator<Item = String> {
     text.lines().flat_map(move |line| {
         let mut lines = vec![String::new()];

@@ -12,7 +12,7 @@ pub(super) struct Viewpoint {
     pub(super) yaw: i32,
     /// Orbit upward, in degrees.
     pub(super) pitch: i32,
-    /// Number of zoom steps. Each step changes the field of view by a tenth.
+    /// Number of zoom steps. A step changes the field of view by a tenth of its value.
     pub(super) zoom: i32,
 }
 

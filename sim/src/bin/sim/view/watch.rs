@@ -7,14 +7,14 @@ use notify::{Event, RecommendedWatcher, RecursiveMode, Watcher};
 
 use crate::outcome::Outcome;
 
-/// Waiting time after the last change of a file before the change is reported. Editors save a file
-/// in several steps, which are reported as one change.
+/// Time without further changes after which a change is reported. Editors save a file in several
+/// steps, and the waiting time combines these steps into one change.
 const DEBOUNCE: Duration = Duration::from_millis(50);
 
 /// Watches scene files for changes.
 ///
-/// The watch is on the directories of the files: many editors save by replacing the file with a new
-/// file, and a watch on the old file would miss this.
+/// Many editors save a file by replacing it with a new file. A watch on the old file would miss
+/// this, so the directories of the files are watched.
 pub(super) struct Watch {
     events: Receiver<notify::Result<Event>>,
     names: Vec<OsString>,
@@ -61,8 +61,8 @@ impl Watch {
             .is_some()
     }
 
-    /// Returns true if the event wrote, moved or removed a watched file, and false if it only read
-    /// a file.
+    /// Returns true if an event reports that a watched file was written, moved or removed. Returns
+    /// false if a file was only read.
     fn is_relevant(&self, event: &Event) -> bool {
         let mut names = event.paths.iter().filter_map(|path| path.file_name());
         !event.kind.is_access() && names.any(|name| self.names.iter().any(|known| known == name))

@@ -1,4 +1,4 @@
-//! Window of `sim view`: shows the picture and the status text, and reads keys.
+//! The window of `sim view`. It shows the picture and the status text, and receives key presses.
 
 use std::time::{Duration, Instant};
 
@@ -13,8 +13,8 @@ use super::workbench::Workbench;
 use crate::args::View;
 use crate::outcome::Outcome;
 
-/// Smallest area for the picture in the window. A smaller picture is scaled up by an integer
-/// factor.
+/// Smallest size of the window's area for the picture. A picture that is smaller than the area is
+/// enlarged by an integer factor.
 const MIN_AREA: Size = Size::new(640, 480);
 /// Color of the window around the simulated display.
 const SURROUND: Rgb888 = Rgb888::new(0x30, 0x32, 0x36);
@@ -51,7 +51,7 @@ pub(crate) fn view(options: &View) -> Outcome {
     }
 }
 
-/// Returns the action of a window event, or `None` if the event is not a key with an action.
+/// Returns the key that a window event stands for, or `None` if `sim view` ignores the event.
 fn key(event: &SimulatorEvent) -> Option<Key> {
     match event {
         SimulatorEvent::Quit => Some(Key::Quit),

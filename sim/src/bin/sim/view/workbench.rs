@@ -18,13 +18,13 @@ use crate::format::Format;
 use crate::open;
 use crate::outcome::Outcome;
 
-/// State of `sim view` without the window: scenes, options, camera and picture.
+/// The state of `sim view`: scenes, options, camera and picture. The state does not need a window.
 pub(super) struct Workbench {
     sources: Cycle<Source>,
     options: Options,
     viewpoint: Viewpoint,
     quality: Quality,
-    /// Buffer for the prepared scene. Each drawing step prepares the scene again.
+    /// Buffer for the prepared scene. The scene is prepared again for each drawing step.
     buffer: Box<Buffer>,
     frame: Frame,
     message: String,
@@ -155,7 +155,8 @@ impl Workbench {
         }
     }
 
-    /// Returns the moved camera, or `None` if the scene cannot be prepared with this camera.
+    /// Returns the camera after the user's movements, or `None` if the scene cannot be prepared
+    /// with it.
     fn camera(&mut self) -> Option<Camera> {
         let mut camera = None;
         self.with_scene(|_, scene| camera = Some(scene.camera()));
@@ -175,15 +176,15 @@ impl Workbench {
         self.restart();
     }
 
-    /// Restarts the drawing. The old picture stays until new pixels replace it.
+    /// Starts to draw the picture again. The old pixels stay until new pixels replace them.
     fn restart(&mut self) -> bool {
         let order = *self.options.orders.current();
         let edges = *self.options.edges.current();
         self.with_scene(|frame, scene| frame.restart(scene, order, edges))
     }
 
-    /// Calls a function with the frame and the prepared scene. Returns false if the scene cannot be
-    /// prepared, or if its file never had a valid version.
+    /// Prepares the scene, and calls a function with the frame and the scene. Returns false if the
+    /// scene cannot be prepared, or if its file was never valid.
     fn with_scene(&mut self, call: impl FnOnce(&mut Frame, &PreparedScene<'_>)) -> bool {
         let Some(scene) = self.sources.current().scene() else {
             return false;
@@ -211,7 +212,8 @@ impl Workbench {
     }
 }
 
-/// Returns the scenes of the command line, or all scenes in scenes/ with `whitted` first.
+/// Returns the scenes that the command line names. If it names none, returns all scenes in scenes/,
+/// with `whitted` first.
 fn sources(options: &View) -> Outcome<Cycle<Source>> {
     let (first, others) = match options.scenes.split_first() {
         Some((first, others)) => (first.clone(), others.to_vec()),

@@ -123,7 +123,7 @@ fn keeps_the_picture_while_the_file_has_an_error() -> Outcome {
         notice(&workbench)
     );
     assert!(drawn(&mut workbench) == before);
-    // The scene file is invalid now, so keys act on the last good scene.
+    // The scene file is invalid now, so keys change the picture of the last valid scene.
     workbench.press(Key::Right);
     assert!(drawn(&mut workbench) != before);
     workbench.press(Key::Reset);
