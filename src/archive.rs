@@ -13,8 +13,8 @@ use crate::math::{Color, Vec3};
 
 /// A visitor that counts, writes or reads the bytes of a scene's fields.
 pub(crate) trait Archive {
-    /// Counts `bytes`, writes `bytes`, or fills `bytes` with stored bytes, depending on the
-    /// archive.
+    /// Processes the next bytes of a scene. An encoder writes `bytes`, a decoder overwrites `bytes`
+    /// with the stored bytes, and a counter only adds their number.
     fn bytes<const N: usize>(&mut self, bytes: &mut [u8; N]);
 
     /// Records that a field of the scene needs a Cargo feature that is off.

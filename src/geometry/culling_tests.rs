@@ -104,8 +104,8 @@ fn culling_keeps_rays_that_hit_a_member_of_a_group() {
         });
         let group = CullSphere::around(&bounds.map(|bound| CullSphere::new(&bound, 0)));
         let origin = point(random, 3.5);
-        // Aims the ray near the middle of the group, or just inside the far edge of one of its
-        // spheres.
+        // Aims the ray either near the middle of the group or near the silhouette of one sphere of
+        // the group.
         let mut towards = middle + point(random, 0.5 * spread);
         if random.bool() {
             let [one, other] = bounds.map(|bound| bound.center);

@@ -178,8 +178,8 @@ impl RenderProgress {
             } else {
                 return;
             }
-            // If an earlier pass has traced pixels of this row, it has traced the pixel of the
-            // first block.
+            // An earlier pass either traced the first pixel of this row or traced no pixel of the
+            // row.
             let traced = if self.is_new_row() { 0 } else { self.block };
             self.x = self.left.saturating_add(traced.into());
         }

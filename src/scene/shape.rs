@@ -37,8 +37,8 @@ pub enum Shape {
     /// apex is at y = h. A double cone that is clipped by `y` is open. An unbounded double cone has
     /// an inside, so it is closed.
     Cone {
-        /// Center of the circle that the double cone forms at y = 0. Heights `y` are relative to
-        /// this point.
+        /// Point on the axis of the double cone at y = 0. All heights `y` are measured from this
+        /// point.
         origin: Vec3<Real>,
         /// Radius r of the circle at y = 0, above 0.
         radius: Real,

@@ -45,7 +45,7 @@ impl<O: Observer> Tracer<'_, '_, O> {
         index: usize,
         sum: &mut Color<Radiance>,
     ) {
-        // The unit of `to_light` depends on the shift of the hit point.
+        // `to_light` has the scale of the hit point, which is stored in units of 2^shift.
         let to_light = at.ray.origin.to(light.position);
         let is_vertical = at.ray.leaves.flags.intersects(SurfaceFlags::HORIZONTAL);
         let along = to_light.along_normal(at.normal, is_vertical).to_bits();

@@ -4,8 +4,8 @@ use whitted::codec::Crc32;
 /// Size of the ticket and the checksum in a frame, in bytes.
 pub(crate) const OVERHEAD: usize = size_of::<u16>() + size_of::<u32>();
 
-/// Returns the largest possible size of a frame, in bytes, for a scene of `scene_len`
-/// bytes.
+/// Returns the largest possible size of an encoded serial frame with a scene of `scene_len` bytes.
+/// Both sizes are in bytes.
 pub const fn frame_len(scene_len: usize) -> usize {
     const DELIMITERS: usize = 2;
     DELIMITERS + cobs::max_encoding_length(scene_len + OVERHEAD)

@@ -21,9 +21,8 @@ pub(in super::super) struct Authored {
 }
 
 impl Authored {
-    /// Returns the interval of y, without the part below the vertex, where there is no surface. The
-    /// interval still starts slightly below the vertex, by 2^-10 of its upper end, so the vertex
-    /// itself is kept.
+    /// Returns the interval of y in which the surface lies. The surface ends at the vertex, so the
+    /// interval starts there, less a margin for rounding of 2^-10 of the interval's upper end.
     fn ends(&self) -> [Real; 2] {
         let [low, high] = self.y;
         [low.max(-(high >> 10_u32)), high]

@@ -14,9 +14,10 @@ const SIDE: usize = 8;
 /// Dithering does not change a value that equals a level.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Dither {
-    /// An 8x8 pattern selects either the level below or the level above a value. In an area of
-    /// uniform color, the mean of any 8x8 pixels differs from the color by at most 1/128 of a
-    /// level. Channels of 8 bits are not dithered, but rounded to the nearest level.
+    /// Ordered dithering: an 8x8 pattern decides whether a pixel gets the level below its value or
+    /// the level above. In an area of uniform color, the mean of any 8x8 pixels differs from the
+    /// color by at most 1/128 of a level. Channels of 8 bits are not dithered, but rounded to the
+    /// nearest level.
     #[default]
     Ordered,
     /// Rounds values to the nearest level.

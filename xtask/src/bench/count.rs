@@ -30,8 +30,8 @@ pub(super) struct Row {
     pub(super) stack: u64,
 }
 
-/// A picture to draw on a core, with the paths of two programs. The first draws in fixed point. The
-/// optional second program draws in floating point.
+/// A picture, the core that draws it, the firmware file that draws it in fixed point, and the
+/// optional firmware file that draws it in floating point.
 type Job = (Subject, Core, PathBuf, Option<PathBuf>);
 
 /// Draws every picture on every core in fixed point. If `with_float` is true, also draws it in
