@@ -14,8 +14,8 @@ use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::prelude::*;
 use whitted::{PreparedScene, Renderer};
 
-/// A line of 160 pixels, which takes 320 bytes. Firmware would use a `&'static mut [Rgb565;
-/// 160]`.
+/// A line of 160 pixels, which takes 320 bytes. Firmware would use a
+/// `&'static mut [Rgb565; 160]`.
 type Line = Box<[Rgb565; SIZE.width as usize]>;
 
 /// Draws the picture with two line buffers. The initial contents of the buffers do not matter.

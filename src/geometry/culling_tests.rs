@@ -104,8 +104,8 @@ fn culling_keeps_rays_that_hit_a_member_of_a_group() {
         });
         let group = CullSphere::around(&bounds.map(|bound| CullSphere::new(&bound, 0)));
         let origin = point(random, 3.5);
-        // Aims the ray either near the middle of the group or near the silhouette of one sphere of
-        // the group.
+        // Aims the ray either near the middle of the group or just inside the edge of one sphere,
+        // on the side away from the other sphere.
         let mut towards = middle + point(random, 0.5 * spread);
         if random.bool() {
             let [one, other] = bounds.map(|bound| bound.center);

@@ -156,7 +156,7 @@ impl Plane {
 
     /// Returns the point where the segment from a light to a point crosses the plane. The point
     /// must be in the near range (each coordinate within ±3.5). `from` and `to` are the depths
-    /// of the light and of the point behind the plane. They have opposite signs.
+    /// of the light and of the point. They have opposite signs.
     fn crossing(
         &self,
         light: Vec3<Length>,

@@ -184,7 +184,7 @@ pub enum DecodeError {
         expected: u8,
     },
     /// The number of bytes is wrong. Either there are fewer bytes than a header has, or the lists
-    /// of the scene do not end at the last byte although the checksum is right.
+    /// of the scene do not end where the checksum begins, although the checksum is right.
     Length,
     /// The checksum is wrong: the bytes are damaged or truncated.
     Checksum,

@@ -20,9 +20,9 @@ pub(crate) struct Candidates {
     /// plane at the same distance. The unit of the distance is the length of a ray's direction,
     /// which is not normalized.
     pub(crate) is_coplanar: bool,
-    /// The hit of an earlier ray of the scanline, if the list contains only one plane. The current
-    /// ray has the same distance to this plane. It hits the plane only if the hit point is inside
-    /// the clip box of the plane.
+    /// The hit of an earlier ray of the scanline on the only plane in the list. It is stored only
+    /// if `is_coplanar` is true. The current ray has the same distance to this plane. It hits the
+    /// plane only if the hit point is inside the clip box of the plane.
     pub(crate) cached_hit: Option<Hit>,
 }
 

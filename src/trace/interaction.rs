@@ -83,8 +83,8 @@ impl<'s> Interaction<'s> {
         self.material.min_highlight_cosine == u32::MAX && !self.material.is_specular
     }
 
-    /// Normalizes the direction of the ray, if the ray was traced with a direction of another
-    /// length.
+    /// Normalizes the direction of the ray. Needed if the ray was traced with a direction that is
+    /// not normalized.
     #[inline(never)]
     pub(super) fn normalize_ray(&mut self) {
         self.ray.direction = self.ray.direction.unit_outlined();

@@ -45,7 +45,7 @@ impl<O: Observer> Tracer<'_, '_, O> {
         index: usize,
         sum: &mut Color<Radiance>,
     ) {
-        // `to_light` has the scale of the hit point, which is stored in units of 2^shift.
+        // `to_light` is in units of 2^(shift - 28), where `shift` is that of the hit point.
         let to_light = at.ray.origin.to(light.position);
         let is_vertical = at.ray.leaves.flags.intersects(SurfaceFlags::HORIZONTAL);
         let along = to_light.along_normal(at.normal, is_vertical).to_bits();

@@ -34,7 +34,7 @@ struct PendingRay {
 struct PathState {
     /// Fraction of the ray's radiance that reaches the camera.
     throughput: Color<Weight>,
-    /// Number of reflections and refractions between the camera and the ray.
+    /// Number of reflections and transmissions between the camera and the ray.
     depth: u8,
     kind: RayKind,
 }

@@ -11,9 +11,9 @@ use crate::observer::{Observer, RayKind};
 use crate::prepare::{Light, Object};
 
 impl<O: Observer> Tracer<'_, '_, O> {
-    /// Returns true if light arrives at the surface point from which the segment starts. If
-    /// transparent surfaces filter the light, sets `transmittance` to the fraction of the
-    /// light that arrives.
+    /// Returns true if light arrives at the surface point where the segment ends. If transparent
+    /// surfaces filter the light, sets `transmittance` to the fraction of the light that
+    /// arrives.
     #[inline(always)]
     pub(super) fn is_visible(
         &mut self,

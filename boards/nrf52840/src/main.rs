@@ -99,7 +99,7 @@ async fn draw_lines(
         swap(&mut sent, &mut traced);
         // `join` polls `write` first, which starts the DMA transfer. While the transfer
         // runs, `join` traces the next line. In the last iteration, `next` is below the
-        // display, so the traced line is empty and is never sent.
+        // display, so the traced line is black and is never sent.
         let trace = async { trace_line(renderer, next, &mut traced) };
         let (result, ()) = join(device.write(&sent), trace).await;
         if result.is_err() {

@@ -21,8 +21,8 @@ pub(in super::super) struct Authored {
 }
 
 impl Authored {
-    /// Returns the interval of y in which the surface lies. The surface ends at the vertex, so the
-    /// interval starts there, less a margin for rounding of 2^-10 of the interval's upper end.
+    /// Returns the clamp without the part below the vertex, where there is no surface. A margin of
+    /// 2^-10 of the upper end is kept below the vertex, so that rounding does not cut it off.
     fn ends(&self) -> [Real; 2] {
         let [low, high] = self.y;
         [low.max(-(high >> 10_u32)), high]

@@ -102,7 +102,7 @@ impl Sphereflake {
         let [u, v] = frame;
         let w = u.cross(v).map(round_unit::<30>);
         let inverse_ratio = inverse(ratio);
-        // The reciprocal is shifted from Q30 to Q29. The constant `one` is 2^-shift in Q29.
+        // The reciprocal is shifted from Q30 to Q29. In Q29, `one` is 2^-shift.
         let one = (1_i32 << 29).unbounded_shr(ratio.leading_zeros());
         let back = (inverse_ratio.to_bits() >> 1) + one;
         let step = Unit::from_bits((1 << 30) + ((ratio.to_bits() >> 1).div_ceil(2)) as i32);

@@ -82,8 +82,8 @@ impl Names {
         at
     }
 
-    /// Reads the rest of a `use` declaration. Its imported paths begin with `prefix`. Returns the
-    /// index of the token after the part that was read.
+    /// Reads a tree of imports in a `use` declaration. Its imported paths begin with `prefix`.
+    /// Returns the index of the token after the tree.
     fn read_use(
         &mut self,
         source: &Source,

@@ -24,9 +24,9 @@ impl Schedule {
     /// Creates the schedule from a frame rate and a number of frames, which are both optional.
     ///
     /// If the rate and the number are both given, the frames start at time 0 and may cover only a
-    /// part of the animation. Otherwise, the frames cover the whole animation. The last frame of a
-    /// looping animation is before its end, because the end looks like the start. The last frame of
-    /// any other animation is at its end.
+    /// part of the animation. Otherwise, the frames cover the whole animation. In this case, the
+    /// last frame of a looping animation is before its end, because the end looks like the start.
+    /// The last of several frames of any other animation is at its end.
     pub(super) fn new(
         animation: &FileAnimation,
         fps: Option<u16>,

@@ -4,7 +4,7 @@ use embedded_graphics_simulator::OutputImage;
 
 /// Scales a picture to another size, and returns the pixels row by row.
 ///
-/// Each pixel of the result is the mean of the picture's pixels that it covers. The picture has
+/// Each pixel of the result is the mean of the area that it covers in the picture. The picture has
 /// linear colors, so no gamma correction is needed.
 pub(super) fn thumbnail(image: &OutputImage<Rgb888>, size: Size) -> impl Iterator<Item = Rgb888> {
     let buffer = image.as_image_buffer();
