@@ -60,7 +60,7 @@
 //! |---|---|
 //! | [`SceneBuffer`] | 146 + 12 per light for each object, 28 per light, 68 per material |
 //! | [`Renderer`] | 0.7 KB |
-//! | stack while drawing | 1.5 KB, and up to 2.7 KB more for transparent materials, more than 8 generations and sphereflakes |
+//! | stack while drawing | 1.8 KB, and up to 2 KB more for more than 8 generations and sphereflakes |
 //! | [`render::AntialiasedRenderer`] | 0.9 KB, and 32 per pixel of the picture's width |
 //! | [`render::DirtyLines`] | 4 per 32 pixels |
 //! | [`animation::AnimatedScene`] | 144 per object, 72 per light |

@@ -33,8 +33,7 @@ pub(crate) struct Plane {
     offset: i64,
     /// `None` if the plane is unbounded.
     clip_box: Option<ClipBox>,
-    /// True if the whole plane is in the near range (each coordinate within ±3.5). This value
-    /// is derived from the other fields.
+    /// True if the whole plane is in the near range. Derived from the other fields.
     is_near: bool,
 }
 
@@ -93,8 +92,7 @@ impl Plane {
         (self.offset >> point.shift) - ((along + (1 << 29)) >> 30)
     }
 
-    /// Returns true if a point at this depth may lie on the plane. The test allows for the
-    /// rounding of hit points.
+    /// Returns true if a point at this depth may be a rounded hit point of the plane.
     fn may_contain(depth: i64) -> bool {
         depth.abs() <= ROUNDING
     }
@@ -121,10 +119,9 @@ impl Plane {
     }
 
     /// Returns the distance from the origin of a ray to its hit. The origin must be in the near
-    /// range (each coordinate within ±3.5). The distance is exact if it is below `limit`. If
-    /// the hit is farther away than `limit`, the result is `None` or any distance that is not
-    /// below `limit`. If the hit may be outside of the near range, the result is
-    /// [`Length::MAX`].
+    /// range (each coordinate within ±3.5). The distance is exact if it is below `limit`. For a
+    /// hit beyond `limit`, the result is `None` or any distance that is not below `limit`. For a
+    /// hit that may be outside of the near range, the result is [`Length::MAX`].
     #[inline(always)]
     fn distance(&self, ray: &Ray, limit: Length) -> Option<Length> {
         let along = component_along(ray.origin.coordinates.map(Length::to_bits), self.normal);
@@ -164,15 +161,13 @@ impl Plane {
         [from, to]: [i64; 2],
     ) -> Vec3<Length> {
         let [from, to] = [from, to].map(|depth| depth.unsigned_abs() as u32);
-        // Distance of the crossing from the light, divided by the length of the segment, in
-        // Q30.
+        // Distance from the light to the crossing, as a fraction of the segment, in Q30.
         let share = ratio(from, from + to, reciprocal_outlined);
         light + scaled::<30>(to_point.map(Length::to_bits), share).map(Length::from_bits)
     }
 
     /// Returns the point where a shadow segment crosses the plane, or `None` if that point is
-    /// outside of the clip box. The two ends of the segment must be on different sides of the
-    /// plane.
+    /// outside of the clip box. The ends of the segment must be on different sides of the plane.
     #[inline(never)]
     fn segment_crossing(&self, segment: &ShadowSegment<'_>) -> Option<Point> {
         let (light, point) = (*segment.light, segment.ray.origin);
@@ -188,12 +183,9 @@ impl Plane {
         self.is_inside_clip_box(&crossing).then_some(crossing)
     }
 
-    /// Returns true if a point of the plane is inside the clip box, or if the plane has no clip
-    /// box.
+    /// Returns true unless the plane has a clip box that does not contain `point`.
     fn is_inside_clip_box(&self, point: &Point) -> bool {
-        self.clip_box
-            .as_ref()
-            .is_none_or(|clip_box| clip_box.contains(point))
+        self.clip_box.as_ref().is_none_or(|b| b.contains(point))
     }
 
     /// Returns the distance at which a ray hits the plane if the clip box is ignored. The

@@ -22,8 +22,8 @@ use crate::render::{DisplayColor, Output};
 /// picture.
 ///
 /// A renderer takes 0.7 KB of memory, mostly for the list of objects that may be visible in a line.
-/// Drawing takes about 1.5 KB of stack. It takes 0.4 KB more if a material transmits light, 1.4 KB
-/// more if the scene has more than 8 generations of rays, and 0.9 KB more if it has a sphereflake.
+/// Drawing takes about 1.8 KB of stack. It takes 1.4 KB more if the scene has more than 8
+/// generations of rays, and 0.6 KB more if the scene has a sphereflake.
 ///
 /// ```
 /// use embedded_graphics::mock_display::MockDisplay;

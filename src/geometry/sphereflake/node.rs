@@ -60,9 +60,8 @@ impl Node {
         let foot = offset.zip(d, |o, d| {
             (i64::from(o.to_bits()) << 30) + d.to_bits().product(distance)
         });
-        // For a small flake, the margin of the previous test may be larger than the flake. In this
-        // case, each coordinate of the foot is also compared with the radius of the bounding
-        // sphere.
+        // The margin of the previous test may be larger than a small flake. Therefore each
+        // coordinate of the foot is also compared with the radius of the bounding sphere.
         let shift = flake.radius.leading_zeros();
         let most = i64::from(bound) << 30;
         if shift > 8 && !foot.all(|c| (-most..=most).contains(&c)) {
