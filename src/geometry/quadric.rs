@@ -286,12 +286,14 @@ impl Primitive for Quadric {
             };
         }
         let hits = self.hits(&ray, is_origin.then_some(ray.leaves.is_inside));
-        observer.test(self.kind(), hits != [None, None]);
-        for distance in hits.into_iter().flatten() {
-            if !segment.visit_at(&ray, distance, visit) {
-                return;
-            }
-        }
+        let mut is_crossed = false;
+        let mut visit = |point| {
+            is_crossed = true;
+            visit(point)
+        };
+        let mut hits = hits.into_iter().flatten();
+        let _ = hits.all(|distance| segment.visit_at(&ray, distance, &mut visit));
+        observer.test(self.kind(), is_crossed);
     }
 }
 
