@@ -101,7 +101,7 @@ impl Scene<'_> {
 /// Radiance of rays that hit no object. Each channel of a background color is 0 to 256.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Background {
-    /// The same color in every direction.
+    /// Every direction has this color.
     Solid(Color<Real>),
     /// A vertical gradient. The color depends linearly on y, the vertical component of a ray's unit
     /// direction. The color is `horizon` at y = 0 and `zenith` at y = 1. Rays that point down get

@@ -4,7 +4,7 @@ use crate::scene::MaterialId;
 /// Texture of a surface: it selects the material for each point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Texture {
-    /// The same material for all points.
+    /// Every point has this material.
     Uniform(MaterialId),
     /// A checkerboard in world coordinates. For a point, `floor(coordinate / size)` is computed
     /// along each of the two axes. If the sum of the two values is even, the point has the first
