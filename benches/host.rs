@@ -35,7 +35,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         .configure_from_args();
     let mut ratios = Vec::new();
     for (name, size) in FRAMES {
-        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("scenes/{name}.toml"));
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/scenes/{name}.toml"));
         let scene_file = scene_file::load(&file)?;
         let mut buffer = Box::new(scene_file::Buffer::new());
         let scene = scene_file.prepare(&mut buffer)?;

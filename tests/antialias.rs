@@ -4,13 +4,14 @@
 
 #![allow(clippy::unwrap_used)]
 
-use std::fs;
-
 use embedded_graphics::prelude::*;
 use whitted::observer::{Observer, RayKind};
 use whitted::render::{AaSample, AntialiasedRenderer, SampleCount};
 use whitted::{Color, PreparedScene, Renderer};
 use whitted_sim::scene_file;
+
+#[path = "common/reference_scene.rs"]
+mod reference_scene;
 
 const SIZE: Size = Size::new(320, 240);
 
@@ -91,11 +92,8 @@ struct Gain {
 /// Measures a reference scene with 4 and with 16 rays per edge pixel, and prints
 /// its row of the table.
 fn gains(name: &str) -> [Gain; 2] {
-    let path = format!(
-        "{}/tests/reference/scenes/{name}.toml",
-        env!("CARGO_MANIFEST_DIR")
-    );
-    let file = scene_file::parse(name, &fs::read_to_string(path).unwrap()).unwrap();
+    let text = reference_scene::text(concat!(env!("CARGO_MANIFEST_DIR"), "/tests"), name);
+    let file = scene_file::parse(name, &text).unwrap();
     let mut buffer = Box::new(scene_file::Buffer::new());
     let scene = file.prepare(&mut buffer).unwrap();
 
@@ -141,9 +139,9 @@ macro_rules! gains {
 
 // docs/antialiasing.md promises 5 dB for at most 2.2 times the rays of `whitted`.
 gains! {
-    whitted: "01_whitted", 10.0 dB at 2.1, 16.0 dB at 5.2;
-    cone: "07_cone", 9.5 dB at 1.6, 17.5 dB at 3.2;
-    mirrors: "10_mirrors_d3", 9.5 dB at 2.2, 14.0 dB at 5.5;
-    glass_indices: "11_glass_indices", 9.5 dB at 2.7, 14.5 dB at 7.7;
-    sphereflake: "13_flake_d3", 8.8 dB at 3.7, 15.0 dB at 11.5;
+    whitted: "whitted", 10.0 dB at 2.1, 16.0 dB at 5.2;
+    cone: "cones", 9.5 dB at 1.6, 17.5 dB at 3.2;
+    mirrors: "mirrors_depth_3", 9.5 dB at 2.2, 14.0 dB at 5.5;
+    glass_indices: "glass_indices", 9.5 dB at 2.7, 14.5 dB at 7.7;
+    sphereflake: "sphereflake_3", 8.8 dB at 3.7, 15.0 dB at 11.5;
 }

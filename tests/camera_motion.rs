@@ -11,7 +11,11 @@ use whitted_sim::{picture::Picture, render, scene_file};
 const SIZE: Size = Size::new(64, 48);
 
 fn scene(name: &str) -> scene_file::SceneFile {
-    scene_file::load(format!("{}/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"))).unwrap()
+    scene_file::load(format!(
+        "{}/tests/scenes/{name}.toml",
+        env!("CARGO_MANIFEST_DIR")
+    ))
+    .unwrap()
 }
 
 fn draw(scene: &PreparedScene<'_>) -> Picture {
@@ -47,8 +51,11 @@ fn set_camera_draws_same_picture_as_prepare() {
     let mut buffer = Box::new(scene_file::Buffer::new());
     let mut other = Box::new(scene_file::Buffer::new());
     let mut third = Box::new(scene_file::Buffer::new());
-    let bytes =
-        scene_file::compile(concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/whitted.toml")).unwrap();
+    let bytes = scene_file::compile(concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/tests/scenes/whitted.toml"
+    ))
+    .unwrap();
     let mut moved = file.prepare(&mut buffer).unwrap();
     let mut decoded = third.decode(&bytes).unwrap();
     let first = draw(&moved);

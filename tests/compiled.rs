@@ -11,9 +11,13 @@ use whitted::scene::SceneItem;
 use whitted::{DecodeError, PreparedScene, SceneBuffer};
 use whitted_sim::{render, scene_file};
 
-/// Compiles a scene of the folder `scenes`.
+/// Compiles a scene of the folder `tests/scenes`.
 fn compiled(name: &str) -> Vec<u8> {
-    scene_file::compile(format!("{}/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"))).unwrap()
+    scene_file::compile(format!(
+        "{}/tests/scenes/{name}.toml",
+        env!("CARGO_MANIFEST_DIR")
+    ))
+    .unwrap()
 }
 
 fn checksum(scene: &PreparedScene<'_>) -> u32 {
@@ -22,7 +26,7 @@ fn checksum(scene: &PreparedScene<'_>) -> u32 {
 
 #[test]
 fn decoded_scene_draws_same_picture() {
-    for entry in fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/scenes")).unwrap() {
+    for entry in fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/scenes")).unwrap() {
         let path = entry.unwrap().path();
         let file = scene_file::load(&path).unwrap();
         let mut buffer = Box::new(scene_file::Buffer::new());
@@ -35,9 +39,9 @@ fn decoded_scene_draws_same_picture() {
     }
 }
 
-/// Compiles every scene of the folder `scenes`.
+/// Compiles every scene of the folder `tests/scenes`.
 fn all_compiled() -> impl Iterator<Item = Vec<u8>> {
-    let scenes = fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/scenes")).unwrap();
+    let scenes = fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/scenes")).unwrap();
     scenes.map(|entry| scene_file::compile(entry.unwrap().path()).unwrap())
 }
 

@@ -14,7 +14,7 @@ use whitted_sim::render;
 #[allow(dead_code, reason = "only firmware uses its frame times and size")]
 mod moving;
 
-/// Compiled form of scenes/every_surface.toml.
+/// Compiled form of tests/scenes/every_surface.toml.
 const COMPILED: &[u8] = include_bytes!("../fuzz/corpus/compiled/every_surface_sealed");
 
 type Outcome = Result<(), Box<dyn std::error::Error>>;
@@ -56,7 +56,10 @@ fn animation_frame_checksum() -> Outcome {
 #[test]
 #[cfg_attr(miri, ignore = "reads a scene file")]
 fn compiled_scene_matches_scene_file() -> Outcome {
-    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/every_surface.toml");
+    let scene = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/tests/scenes/every_surface.toml"
+    );
     assert_eq!(
         whitted_sim::scene_file::compile(Path::new(scene))?,
         COMPILED

@@ -41,13 +41,16 @@ const SRGB: Output = Output {
     ..DITHERED
 };
 
-/// Renders scenes/whitted.toml in a display color type.
+/// Renders tests/scenes/whitted.toml in a display color type.
 fn draw<C>(output: Output) -> Picture
 where
     C: PixelColor + DisplayColor + From<BinaryColor> + Into<Rgb888>,
 {
-    let file =
-        scene_file::load(concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/whitted.toml")).unwrap();
+    let file = scene_file::load(concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/tests/scenes/whitted.toml"
+    ))
+    .unwrap();
     let mut buffer = Box::new(scene_file::Buffer::new());
     let scene = file.prepare(&mut buffer).unwrap();
     let mut renderer = Renderer::new(&scene, SIZE);
@@ -118,7 +121,7 @@ golden! {
 
 #[test]
 fn antialiased() {
-    const WHITTED: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/whitted.toml");
+    const WHITTED: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/scenes/whitted.toml");
     let file = scene_file::load(WHITTED).unwrap();
     let mut buffer = Box::new(scene_file::Buffer::new());
     let scene = file.prepare(&mut buffer).unwrap();
@@ -133,11 +136,11 @@ fn antialiased() {
     }
 }
 
-/// Draws every scene of `scenes` and a hundred random ones at 64x48. Returns a
+/// Draws every scene of `tests/scenes` and a hundred random ones at 64x48. Returns a
 /// line for each, with the CRC-32 of its 16-bit linear channels and its name.
 fn checksums() -> String {
     const SIZE: Size = Size::new(64, 48);
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes");
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/scenes");
     let mut files: Vec<PathBuf> = fs::read_dir(folder)
         .unwrap()
         .map(|entry| entry.unwrap().path())

@@ -33,13 +33,13 @@ fn assert_matches_oracle(text: &str) -> Vec<[f64; 3]> {
 /// With 48 spheres, rays are tested against the bounds of groups first.
 #[test]
 fn many_reflecting_spheres() {
-    assert_matches_oracle(include_str!("../scenes/sunflower.toml"));
+    assert_matches_oracle(include_str!("scenes/sunflower.toml"));
 }
 
 /// The room shows planes of every orientation, from both sides.
 #[test]
 fn room_with_light_inside() {
-    assert_matches_oracle(include_str!("../scenes/room.toml"));
+    assert_matches_oracle(include_str!("scenes/room.toml"));
 }
 
 /// Checks each shadow ray: its transmittance is 1 exactly if no test reported a
@@ -70,7 +70,7 @@ impl Observer for Transmittance {
 
 #[test]
 fn observer_sees_hits_of_attenuated_shadow_rays() {
-    let scene = include_str!("../scenes/filters.toml");
+    let scene = include_str!("scenes/filters.toml");
     let (_, counts) = common::observe(scene, [96, 72], Transmittance::default());
     assert!(counts.attenuated > 500 && counts.clear > 500);
 }

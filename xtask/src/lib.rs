@@ -41,14 +41,24 @@ pub fn root() -> &'static Path {
     here.parent().unwrap_or(here)
 }
 
-/// Returns the path of the project's scene with this name.
+/// Returns the path of the scene with this name in `tests/scenes`. Measurements use the scenes in
+/// this folder, because these scenes never change.
 pub fn scene(name: &str) -> PathBuf {
+    root()
+        .join("tests/scenes")
+        .join(name)
+        .with_extension("toml")
+}
+
+/// Returns the path of the scene with this name in `scenes`. The boards draw scenes of this folder
+/// unless they are built with other scenes.
+pub fn gallery_scene(name: &str) -> PathBuf {
     root().join("scenes").join(name).with_extension("toml")
 }
 
-/// Returns the paths of the scene files in the project's folder `scenes`, sorted by name.
+/// Returns the paths of the scene files in `tests/scenes`, sorted by name.
 pub fn scenes() -> Result<Vec<PathBuf>> {
-    let mut scenes = fs::read_dir(root().join("scenes"))?
+    let mut scenes = fs::read_dir(root().join("tests/scenes"))?
         .map(|entry| Ok(entry?.path()))
         .collect::<Result<Vec<_>>>()?;
     scenes.retain(|path| {

@@ -9,7 +9,7 @@ use embedded_graphics::prelude::*;
 use whitted::Renderer;
 use whitted_sim::scene_file;
 use xtask::board::STM32F405_IN_QEMU;
-use xtask::{host, netduinoplus2, scene, scratch_dir};
+use xtask::{gallery_scene, host, netduinoplus2, scene, scratch_dir};
 
 const SIZE: Size = Size::new(320, 240);
 
@@ -22,7 +22,7 @@ fn assert_equal(shown: &Picture, expected: &Picture) {
 fn shows_the_picture_of_the_host() -> Result<()> {
     let shown = netduinoplus2::draw(&STM32F405_IN_QEMU.build(None)?)?;
 
-    let file = scene_file::load(scene("whitted"))?;
+    let file = scene_file::load(gallery_scene("whitted"))?;
     let mut buffer = Box::new(scene_file::Buffer::new());
     let prepared = file.prepare(&mut buffer)?;
     let mut expected = Picture::new(SIZE);

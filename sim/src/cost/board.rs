@@ -75,7 +75,7 @@ mod tests {
 
     #[test]
     fn estimates_are_within_a_quarter_of_counted_instructions() -> Result<(), Box<dyn Error>> {
-        let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes");
+        let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/scenes");
         assert!(!COUNTED.is_empty());
         let mut errors = Vec::new();
         for (name, [width, height], counted) in COUNTED {

@@ -7,6 +7,9 @@ use whitted_sim::png16;
 
 use crate::directory::{Directory, Outcome};
 
+/// A scene that never changes. The path is relative to the project root.
+const WHITTED: &str = "tests/scenes/whitted.toml";
+
 #[test]
 fn compiled_scene_renders_the_same() -> Outcome {
     let here = Directory::new("compiled")?;
@@ -30,9 +33,9 @@ fn compiled_scene_renders_the_same() -> Outcome {
 #[test]
 fn checks_a_scene() -> Outcome {
     let here = Directory::new("check")?;
-    let output = here.ok(&["check", "scenes/whitted.toml"])?;
+    let output = here.ok(&["check", WHITTED])?;
     assert!(
-        output.starts_with("scenes/whitted.toml: ok, 3 objects, 1 light, 4 materials\n"),
+        output.starts_with("tests/scenes/whitted.toml: ok, 3 objects, 1 light, 4 materials\n"),
         "{output}"
     );
     Ok(())
@@ -42,7 +45,7 @@ fn checks_a_scene() -> Outcome {
 fn explains_a_pixel() -> Outcome {
     let here = Directory::new("explain")?;
     let depth = ["--size", "128x96", "--max-depth", "1"];
-    let output = here.ok(&[&["explain", "whitted", "60", "48"][..], &depth].concat())?;
+    let output = here.ok(&[&["explain", WHITTED, "60", "48"][..], &depth].concat())?;
     let expected = r#"C object 1, sphere "glass": weight 1.0000, local 0.0000
 ├─ R object 0, plane "red" or "yellow": weight 0.0800, local (0.6258, 0.4693, 0.0498)
 │  └─ S light 0: visible
@@ -52,7 +55,7 @@ color: (0.0501, 0.0375, 0.0040)
 rays: 4: 1 camera, 1 reflected, 1 transmitted, 1 shadow
 "#;
     assert_eq!(output, expected);
-    here.ok(&["compile", "whitted", "-o", "whitted.scene"])?;
+    here.ok(&["compile", WHITTED, "-o", "whitted.scene"])?;
     let output = here.ok(&[&["explain", "whitted.scene", "60", "48"][..], &depth].concat())?;
     // A compiled scene has no names.
     let named = [", plane \"red\" or \"yellow\"", ", sphere \"glass\""];

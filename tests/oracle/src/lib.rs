@@ -11,10 +11,10 @@
 //! adds scene files, rendering to memory and image comparison:
 //!
 //! ```no_run
-//! let mut scene = whitted_oracle::load::<f64>("scenes/01_whitted.toml");
+//! let mut scene = whitted_oracle::load::<f64>("tests/scenes/whitted.toml");
 //! scene.settings.min_weight = 0.0;
 //! let pixels = scene.render(320, 240);
-//! let reference = whitted_oracle::read_png("images/01_whitted.png");
+//! let reference = whitted_oracle::read_png("tests/reference/images/whitted.png");
 //! println!("{:.1} dB", whitted_oracle::compare(&pixels, &reference.pixels).psnr);
 //! ```
 //!

@@ -13,7 +13,7 @@ use whitted_sim::scene_file::{self, SceneFile};
 use xtask::firmware::LM3S6965EVB;
 use xtask::oled::{self, Button, Oled};
 use xtask::report::Report;
-use xtask::{host, scene, scratch_dir};
+use xtask::{gallery_scene, host, scene, scratch_dir};
 
 const SIZE: Size = Size::new(128, 64);
 
@@ -74,8 +74,8 @@ struct Expected {
 }
 
 impl Expected {
-    fn new(name: &str) -> Result<Self> {
-        let file = scene_file::load(scene(name))?;
+    fn new(scene: &Path) -> Result<Self> {
+        let file = scene_file::load(scene)?;
         let camera = file.settings.camera;
         Ok(Self { file, camera })
     }
@@ -113,9 +113,10 @@ impl Expected {
 #[test]
 fn shows_the_pictures_of_the_host() -> Result<()> {
     for name in ["whitted", "every_surface", "sphereflake"] {
-        let (mut oled, report) = Oled::start(&LM3S6965EVB.build(Some(&scene(name)))?)?;
+        let scene = scene(name);
+        let (mut oled, report) = Oled::start(&LM3S6965EVB.build(Some(&scene))?)?;
         print!("{name}\n{report}");
-        Expected::new(name)?.compare(&mut oled, &report)?;
+        Expected::new(&scene)?.compare(&mut oled, &report)?;
     }
     Ok(())
 }
@@ -124,7 +125,7 @@ fn shows_the_pictures_of_the_host() -> Result<()> {
 fn buttons_move_the_camera_and_select_scenes() -> Result<()> {
     use Button::{Down, Left, Right, Select, Up};
     let (mut oled, report) = Oled::start(&LM3S6965EVB.build(None)?)?;
-    let mut expected = Expected::new("whitted")?;
+    let mut expected = Expected::new(&gallery_scene("whitted"))?;
     expected.compare(&mut oled, &report)?;
     for button in [Left, Up, Right, Right, Right, Down, Down, Left] {
         let report = oled.press(&[button])?;
@@ -145,7 +146,7 @@ fn buttons_move_the_camera_and_select_scenes() -> Result<()> {
         "whitted",
     ] {
         let report = oled.press(&[Select])?;
-        let mut expected = Expected::new(name)?;
+        let mut expected = Expected::new(&gallery_scene(name))?;
         expected.compare(&mut oled, &report)?;
         let report = oled.press(&[Right])?;
         expected.press(Right);

@@ -1,5 +1,5 @@
 //! Animated scene of the `motion` and `soak` rigs: four spheres over an unbounded floor, as
-//! in scenes/four_spheres.toml.
+//! in tests/scenes/four_spheres.toml.
 
 use whitted::animation::{Animation, Interpolation, Keyframe, Target, Track};
 use whitted::scene::Axis;
