@@ -1,12 +1,15 @@
 //! Callbacks that report rays, intersection tests, shadow rays and nodes of the ray tree.
 //!
 //! A renderer is generic over its [`Observer`]. The default observer, `()`, ignores all
-//! callbacks, and the compiler removes the calls.
+//! callbacks, and the compiler removes the calls. A [`Poller`] calls a function after every so many
+//! rays and tests, for example to feed a watchdog.
 
 mod pair;
+mod poller;
 mod stats;
 
 pub(crate) use pair::Pair;
+pub use poller::Poller;
 pub(crate) use stats::RayCounter;
 pub use stats::Stats;
 
@@ -109,6 +112,21 @@ pub trait Observer {
     /// reflected ray, then the subtree of its transmitted ray.
     fn node(&mut self, node: &RayNode) {
         let _ = node;
+    }
+
+    /// Returns true if the renderer is to stop inside the current pixel.
+    ///
+    /// The renderer calls this function between the rays of a pixel and between the tests of a
+    /// sphereflake. If the function returns true, the renderer abandons the pixel, ends the
+    /// current line before this pixel, and returns. Until then, the function must keep returning
+    /// true, and at most one more test per object, and per object and light, is reported.
+    ///
+    /// [`Renderer::step`](crate::Renderer::step) records which pixels were drawn, so a later step
+    /// can trace the abandoned pixel again and complete the picture. All other methods must be
+    /// called again from the start: a line ends early, the rest of a slice is not changed, and
+    /// [`Renderer::pixel`](crate::Renderer::pixel) returns black.
+    fn is_interrupted(&self) -> bool {
+        false
     }
 }
 

@@ -214,6 +214,10 @@ impl Primitive for Plane {
         valid::is_unit(&self.normal) && self.offset.unsigned_abs() < 1 << OFFSET_BITS
     }
 
+    fn kind(&self) -> ShapeKind {
+        ShapeKind::Plane
+    }
+
     fn flags(&self) -> SurfaceFlags {
         SurfaceFlags::CONVEX
             .with(SurfaceFlags::FLAT, true)

@@ -10,7 +10,7 @@ use super::shadow_segment::ShadowSegment;
 use super::surface::SurfaceFlags;
 use crate::archive::Fields;
 use crate::math::{Length, SoftFloat, Unit, Vec3};
-use crate::observer::Observer;
+use crate::observer::{Observer, ShapeKind};
 use crate::scene::{SceneError, SceneItem};
 
 /// A shape as authored, in world units. It is validated and then prepared.
@@ -73,6 +73,9 @@ pub(crate) trait Primitive: Fields {
     /// Returns true if every field is in the range that ray tracing needs. This check runs
     /// after a compiled scene is decoded.
     fn is_valid(&self) -> bool;
+
+    /// Returns the kind of the shape, for observers.
+    fn kind(&self) -> ShapeKind;
 
     /// Returns the flags of the surface.
     fn flags(&self) -> SurfaceFlags;

@@ -115,13 +115,6 @@ impl Quadric {
         dispatch!(&self.form, form => tag(form))
     }
 
-    fn kind(&self) -> ShapeKind {
-        fn kind<F: QuadricForm>(_: &F) -> ShapeKind {
-            F::KIND
-        }
-        dispatch!(&self.form, form => kind(form))
-    }
-
     /// Returns true if the quadric extends to infinity.
     fn is_unbounded(&self) -> bool {
         self.clamp.is_none() && self.tag() != Ellipsoid::TAG
@@ -194,6 +187,13 @@ impl Primitive for Quadric {
             && self
                 .clamp
                 .is_none_or(|ends| ends.into_iter().all(|y| valid::is_within(y, Length::ONE)))
+    }
+
+    fn kind(&self) -> ShapeKind {
+        fn kind<F: QuadricForm>(_: &F) -> ShapeKind {
+            F::KIND
+        }
+        dispatch!(&self.form, form => kind(form))
     }
 
     /// Returns the flags of the quadric. A clamped quadric has the flag for open surfaces,

@@ -21,7 +21,7 @@ use super::sphereflake::{self, Sphereflake};
 use super::surface::SurfaceFlags;
 use crate::archive::{Archive, Fields};
 use crate::math::{Length, SoftFloat, Vec3};
-use crate::observer::Observer;
+use crate::observer::{Observer, ShapeKind};
 use crate::scene::{self, SceneError, SceneItem};
 
 /// A shape in the prepared scene.
@@ -229,6 +229,11 @@ impl Shape {
     /// See [`Primitive::is_sphere`].
     pub(crate) fn is_sphere(&self) -> bool {
         dispatch!(self, it => it.is_sphere())
+    }
+
+    /// See [`Primitive::kind`].
+    pub(crate) fn kind(&self) -> ShapeKind {
+        dispatch!(self, it => it.kind())
     }
 
     /// See [`Primitive::is_near`].

@@ -202,6 +202,10 @@ impl Primitive for Sphere {
         valid::is_within_one(&self.center) && valid::is_size(self.radius)
     }
 
+    fn kind(&self) -> ShapeKind {
+        ShapeKind::Sphere
+    }
+
     fn flags(&self) -> SurfaceFlags {
         SurfaceFlags::BOUNDED.with(SurfaceFlags::CONVEX, true)
     }

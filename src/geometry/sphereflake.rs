@@ -185,7 +185,7 @@ impl Sphereflake {
     /// Calls `visit` with each sphere that the line of a ray crosses between the origin of the ray
     /// and the distance `t_max`. The spheres come roughly in order of distance. Spheres that the
     /// query does not need are skipped. `visit` returns the new `t_max`, or 0 to stop. Returns true
-    /// if the traversal stopped early.
+    /// if the traversal stopped early, also because the observer interrupted it.
     #[inline(never)]
     fn traverse(
         &self,
@@ -217,6 +217,9 @@ impl Sphereflake {
             let foot_squared = node.foot_squared();
             let is_crossed = foot_squared < 1 << 58;
             observer.test(ShapeKind::Sphereflake, is_crossed);
+            if observer.is_interrupted() {
+                return true;
+            }
             if is_crossed {
                 let t_max = visit(node);
                 if t_max <= 0 {
@@ -240,6 +243,10 @@ impl Primitive for Sphereflake {
     /// to 0.
     fn is_valid(&self) -> bool {
         self.radius > 0
+    }
+
+    fn kind(&self) -> ShapeKind {
+        ShapeKind::Sphereflake
     }
 
     fn flags(&self) -> SurfaceFlags {

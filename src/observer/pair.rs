@@ -26,4 +26,8 @@ impl<A: Observer, B: Observer> Observer for Pair<'_, A, B> {
         self.0.node(node);
         self.1.node(node);
     }
+
+    fn is_interrupted(&self) -> bool {
+        self.0.is_interrupted() || self.1.is_interrupted()
+    }
 }

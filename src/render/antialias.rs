@@ -142,24 +142,33 @@ impl<'s, 'm, O: Observer> AntialiasedRenderer<'s, 'm, O> {
     where
         D: DrawTarget<Color: DisplayColor>,
     {
-        (0..self.size().height).try_for_each(|y| self.draw_line(y, target))
+        for y in 0..self.size().height {
+            self.draw_line(y, target)?;
+            if self.observer.is_interrupted() {
+                break;
+            }
+        }
+        Ok(())
     }
 
     /// Returns the column and the color of each pixel of line `y`.
     fn pixels(&mut self, y: u32) -> impl Iterator<Item = (u32, Color<Radiance>)> {
         self.finish(y);
         let line = &self.lines[y as usize % 2];
-        let count = if y < self.rays.height { line.len() } else { 0 };
+        let is_finished = self.finished == Some(y);
+        let count = if is_finished { line.len() } else { 0 };
         (0..).zip(line.iter().take(count).map(AaSample::color))
     }
 
     /// Traces line `y` and refines its edge pixels. Does nothing if `y` is the last finished line.
+    /// If the observer interrupts the renderer, no line is finished.
     fn finish(&mut self, y: u32) {
         if y >= self.rays.height || self.finished == Some(y) {
             return;
         }
         let above = y.checked_sub(1);
-        if above.is_none() || self.finished != above {
+        let finished = self.finished.take();
+        if above.is_none() || finished != above {
             if let Some(above) = above {
                 self.trace_line(above);
             }
@@ -173,7 +182,9 @@ impl<'s, 'm, O: Observer> AntialiasedRenderer<'s, 'm, O> {
             self.compare_lines();
         }
         self.refine(y);
-        self.finished = Some(y);
+        if !self.observer.is_interrupted() {
+            self.finished = Some(y);
+        }
     }
 
     /// Traces a ray through the center of each pixel of line `y`, and marks pixels that differ from
@@ -184,9 +195,10 @@ impl<'s, 'm, O: Observer> AntialiasedRenderer<'s, 'm, O> {
         let columns = self.rays.columns();
         let mut pixels = self.tracer.pixels(&self.rays, y, columns, &mut both);
         for sample in &mut *line {
-            if let Some((_, color)) = pixels.next() {
-                *sample = AaSample::new(color, pixels.tracer.observer.0.hash);
-            }
+            let Some((_, color)) = pixels.next() else {
+                return;
+            };
+            *sample = AaSample::new(color, pixels.tracer.observer.0.hash);
         }
         let mut pixels = line.iter_mut();
         let Some(mut left) = pixels.next() else {
@@ -232,9 +244,10 @@ impl<'s, 'm, O: Observer> AntialiasedRenderer<'s, 'm, O> {
             for (x, sample) in edges {
                 for column in *columns {
                     pixels.skip_to(GRID * x + column);
-                    if let Some((_, color)) = pixels.next() {
-                        sample.add(color, weight);
-                    }
+                    let Some((_, color)) = pixels.next() else {
+                        return;
+                    };
+                    sample.add(color, weight);
                 }
             }
         }

@@ -62,7 +62,7 @@ where
             .points()
             .map(|at| DisplayColor::from_radiance(color, at, output));
         target.fill_contiguous(&block, colors)?;
-        progress.advance(1, size);
+        progress.advance(size);
     }
     Ok(())
 }

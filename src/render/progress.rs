@@ -23,7 +23,8 @@ const COARSEST: u8 = 16;
 /// so it can be stored, copied or dropped between steps. A copy resumes drawing at the place where
 /// the copy was made. All steps must use the same scene, picture size and display.
 ///
-/// This microcontroller loop feeds a watchdog and reads a button between steps:
+/// This microcontroller loop feeds a watchdog and reads a button while rays are traced, because a
+/// single pixel of a slow scene can take minutes:
 ///
 /// ```
 /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};
@@ -39,20 +40,25 @@ const COARSEST: u8 = 16;
 /// # let scene = Scene::new(Camera::new(Vec3::lit("0", "2", "8"), Vec3::lit("0", "1", "0"), Real::lit("33")));
 /// # let mut buffer = SceneBuffer::<1, 1, 1>::new();
 /// # let scene = buffer.prepare(&scene).unwrap();
+/// use core::ops::ControlFlow;
 /// use whitted::Renderer;
+/// use whitted::observer::Poller;
 /// use whitted::render::{RenderProgress, Step};
 ///
-/// let mut renderer = Renderer::new(&scene, display.size());
-/// let mut progress = RenderProgress::progressive(display.bounding_box());
-/// while !progress.is_complete() {
-///     // 800 rays take about 10 ms on a Cortex-M0+ at 133 MHz.
-///     renderer.step(&mut progress, Step::Rays(800), &mut display).unwrap();
+/// // 200 rays and tests take about 1 ms on a Cortex-M0+, and 10 ms at most.
+/// let poller = Poller::new(200, || {
 ///     watchdog.feed();
-///     if button.is_pressed() {
-///         break;
+///     match button.is_pressed() {
+///         true => ControlFlow::Break(()),
+///         false => ControlFlow::Continue(()),
 ///     }
+/// });
+/// let mut renderer = Renderer::with_observer(&scene, display.size(), poller);
+/// let mut progress = RenderProgress::progressive(display.bounding_box());
+/// while !progress.is_complete() && !renderer.observer().is_interrupted() {
+///     renderer.step(&mut progress, Step::Line, &mut display).unwrap();
 /// }
-/// # assert!(progress.is_complete() && watchdog.0 == 6);
+/// # assert!(progress.is_complete() && watchdog.0 == 64 * 64 / 200);
 /// ```
 ///
 /// To redraw a part of a picture, start a new `RenderProgress` with the area of that part.
@@ -82,7 +88,9 @@ pub enum Step {
     /// Draws the rest of the current pass. In scanline order, there is only one pass.
     Pass,
     /// Traces the given number of rays, including shadow rays, and then finishes the current pixel.
-    /// A pixel takes at most 4096 rays plus their shadow rays. `Rays(0)` does nothing.
+    /// A pixel takes at most 4096 rays plus their shadow rays, which can take minutes. A
+    /// [`Poller`](crate::observer::Poller) can interrupt a step inside a pixel. `Rays(0)` does
+    /// nothing.
     Rays(u32),
 }
 
@@ -148,11 +156,15 @@ impl RenderProgress {
         })
     }
 
-    /// Records that the next `pixels` pixels of the current row have been traced and drawn.
-    pub(crate) fn advance(&mut self, pixels: u32, size: Size) {
-        let columns = pixels.saturating_mul(self.stride().into());
-        let columns = u16::try_from(columns).unwrap_or(u16::MAX);
-        self.x = self.x.saturating_add(columns);
+    /// Records that the next block of the current row has been drawn.
+    pub(crate) fn advance(&mut self, size: Size) {
+        self.x = self.x.saturating_add(self.stride());
+        self.settle(size);
+    }
+
+    /// Records that the current row has been drawn up to column `x`, which is excluded.
+    pub(crate) fn advance_to(&mut self, x: u32, size: Size) {
+        self.x = u16::try_from(x).unwrap_or(u16::MAX);
         self.settle(size);
     }
 

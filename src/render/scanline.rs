@@ -71,10 +71,12 @@ impl<'s> ScanlineTracer<'s> {
     }
 }
 
-/// Iterator that traces the pixels of a scanline and returns the column and color of each.
+/// Iterator that traces the pixels of a scanline and returns the column and color of each. The
+/// iterator ends before the pixel in which the observer interrupts it.
 pub(crate) struct PixelIter<'r, 's, O> {
     directions: ScanlineRays,
-    x: u32,
+    /// Column of the next pixel.
+    pub(crate) x: u32,
     spacing: u8,
     culler: &'r mut ScanlineCuller,
     pub(crate) tracer: Tracer<'r, 's, O>,
@@ -94,11 +96,18 @@ impl<O: Observer> Iterator for PixelIter<'_, '_, O> {
 
     #[inline(always)]
     fn next(&mut self) -> Option<Self::Item> {
+        if self.tracer.observer.is_interrupted() {
+            return None;
+        }
         let direction = self.directions.next()?;
         let x = self.x;
         self.x += 1 << self.spacing;
         let candidates = self.culler.at_column(x);
         let color = self.tracer.trace_camera_ray(direction, candidates);
+        if self.tracer.observer.is_interrupted() {
+            self.x = x;
+            return None;
+        }
         Some((x, color))
     }
 

@@ -11,6 +11,11 @@ macro_rules! scanline_methods {
             &self.observer
         }
 
+        /// Returns the observer that the renderer reports rays to, for changes.
+        pub fn observer_mut(&mut self) -> &mut O {
+            &mut self.observer
+        }
+
         /// Returns the conversion of linear colors to display colors.
         pub fn output(&self) -> $crate::render::Output {
             self.output

@@ -191,8 +191,9 @@ impl<O: Observer> Tracer<'_, '_, O> {
         let hits = scene.unbounded.iter().filter_map(|&index| {
             let object = scene.objects.get(usize::from(index))?;
             let is_origin = index == ray.leaves.object;
-            let distance = object.shape.intersect_extended(ray, is_origin)?;
-            Some((index, distance))
+            let distance = object.shape.intersect_extended(ray, is_origin);
+            self.observer.test(object.shape.kind(), distance.is_some());
+            Some((index, distance?))
         });
         let (object, distance) = hits.min_by_key(|(_, distance)| *distance)?;
         let hit = Hit {

@@ -214,7 +214,7 @@ impl<O: Observer> RayTree<'_, '_, '_, O> {
     fn trace_reflections(&mut self) {
         let stack = &mut Vec::<PendingRay, 0>::new();
         let mut has_next = self.reflect();
-        while has_next {
+        while has_next && !self.tracer.observer.is_interrupted() {
             has_next = self.trace_node(stack);
         }
     }
@@ -228,6 +228,9 @@ impl<O: Observer> RayTree<'_, '_, '_, O> {
     fn trace_all(&mut self, stack: &mut VecView<PendingRay>) {
         let mut has_next = self.scatter(stack);
         for _ in 1..RAY_BUDGET {
+            if self.tracer.observer.is_interrupted() {
+                return;
+            }
             if !has_next {
                 let Some(next) = stack.pop() else {
                     return;

@@ -6,6 +6,7 @@
 #[path = "../common/mirror_ball.rs"]
 mod mirror_ball;
 
+mod interruptions;
 mod passes;
 mod screen;
 mod steps;

@@ -1,6 +1,7 @@
 //! Calls every drawing function, for every color type of embedded-graphics.
 
 use core::hint::black_box;
+use core::ops::ControlFlow;
 
 use embedded_graphics_core::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, IntoStorage, Rgb555, Rgb565,
@@ -8,7 +9,7 @@ use embedded_graphics_core::pixelcolor::{
 };
 use embedded_graphics_core::prelude::*;
 use embedded_graphics_core::primitives::Rectangle;
-use whitted::observer::Stats;
+use whitted::observer::{Observer, Poller, Stats};
 use whitted::render::{
     AaSample, AntialiasedRenderer, DirtyLines, RenderProgress, SampleCount, Step,
 };
@@ -105,7 +106,15 @@ where
 /// Calling these functions with all color types would exceed the flash of the machine.
 fn draw_rgb565(scene: &PreparedScene<'_>) {
     let mut display = UnknownDisplay::<Rgb565>(None);
-    draw_in_steps(&mut Renderer::new(scene, size()), &mut display);
+    let poller = Poller::new(black_box(0), || match black_box(false) {
+        true => ControlFlow::Break(()),
+        false => ControlFlow::Continue(()),
+    });
+    let mut renderer = Renderer::with_observer(scene, size(), poller);
+    draw_in_steps(&mut renderer, &mut display);
+    if black_box(renderer.observer().is_interrupted()) {
+        renderer.observer_mut().resume();
+    }
 
     let mut memory = [AaSample::BLACK; 8];
     let memory: &mut [AaSample] = black_box(&mut memory);
@@ -123,7 +132,7 @@ fn draw_rgb565(scene: &PreparedScene<'_>) {
     }
 }
 
-fn draw_in_steps(renderer: &mut Renderer<'_>, display: &mut UnknownDisplay<Rgb565>) {
+fn draw_in_steps(renderer: &mut Renderer<'_, impl Observer>, display: &mut UnknownDisplay<Rgb565>) {
     let area = Rectangle::new(Point::new(black_box(0), black_box(0)), size());
     for progress in [
         RenderProgress::scanlines(area),
