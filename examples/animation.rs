@@ -13,60 +13,57 @@ use whitted::animation::{AnimatedScene, Animation, Interpolation, Keyframe, Targ
 use whitted::scene::{Axis, ClipBox};
 use whitted::{
     Background, Camera, Color, Light, Material, MaterialId, Object, Real, Renderer, Scene,
-    SceneBuffer, Shape, Texture, Vec3,
+    SceneBuffer, Shape, Texture, color, real, vec3,
 };
 
 /// Times of the frames in seconds.
-pub(crate) const TIMES: [&str; 5] = ["0", "0.25", "0.5", "0.75", "1"];
+pub(crate) const TIMES: [Real; 5] = [real!(0), real!(0.25), real!(0.5), real!(0.75), real!(1)];
 
 /// The scene before the animation moves it. The hopping ball is object 1, and the mirror ball
 /// is object 2.
 pub(crate) static SCENE: Scene = Scene {
     background: Background::Gradient {
-        horizon: Color::lit("0.55", "0.68", "0.8"),
-        zenith: Color::lit("0.08", "0.18", "0.5"),
+        horizon: color!(0.55, 0.68, 0.8),
+        zenith: color!(0.08, 0.18, 0.5),
     },
-    lights: &[Light::point(
-        Vec3::lit("-4", "9", "6"),
-        Color::gray(Real::lit("1.25")),
-    )],
+    lights: &[Light::point(vec3!(-4, 9, 6), Color::gray(real!(1.25)))],
     materials: &[
         // Material 0: the orange ball.
         Material {
-            ka: Color::lit("0.1", "0.04", "0.01"),
-            kd: Color::lit("0.85", "0.3", "0.05"),
-            ks: Color::gray(Real::lit("0.4")),
-            shininess: Real::lit("50"),
+            ka: color!(0.1, 0.04, 0.01),
+            kd: color!(0.85, 0.3, 0.05),
+            ks: Color::gray(real!(0.4)),
+            shininess: real!(50),
             ..Material::BLACK
         },
         // Material 1: the mirror ball.
         Material {
-            ks: Color::gray(Real::lit("0.6")),
-            shininess: Real::lit("150"),
-            kr: Color::gray(Real::lit("0.8")),
+            ks: Color::gray(real!(0.6)),
+            shininess: real!(150),
+            kr: Color::gray(real!(0.8)),
             ..Material::BLACK
         },
         // Material 2: the white squares of the floor.
         Material {
-            ka: Color::gray(Real::lit("0.1")),
-            kd: Color::gray(Real::lit("0.7")),
+            ka: Color::gray(real!(0.1)),
+            kd: Color::gray(real!(0.7)),
             ..Material::BLACK
         },
         // Material 3: the green squares of the floor.
         Material {
-            ka: Color::lit("0.01", "0.04", "0.03"),
-            kd: Color::lit("0.06", "0.28", "0.2"),
+            ka: color!(0.01, 0.04, 0.03),
+            kd: color!(0.06, 0.28, 0.2),
             ..Material::BLACK
         },
     ],
     objects: &[
         Object {
             shape: Shape::Plane {
-                normal: Vec3::lit("0", "1", "0"),
-                point: Vec3::lit("0", "0", "0"),
+                normal: vec3!(0, 1, 0),
+                point: vec3!(0, 0, 0),
                 bounds: ClipBox {
-                    x: Some([Real::lit("-3"), Real::lit("3")]),
-                    z: Some([Real::lit("-2"), Real::lit("2")]),
+                    x: Some([real!(-3), real!(3)]),
+                    z: Some([real!(-2), real!(2)]),
                     ..ClipBox::NONE
                 },
             },
@@ -76,28 +73,16 @@ pub(crate) static SCENE: Scene = Scene {
                 materials: [MaterialId(2), MaterialId(3)],
             },
         },
-        Object::sphere(
-            Vec3::lit("-1.4", "0.5", "0.6"),
-            Real::lit("0.5"),
-            MaterialId(0),
-        ),
-        Object::sphere(
-            Vec3::lit("0", "0.8", "-0.3"),
-            Real::lit("0.8"),
-            MaterialId(1),
-        ),
+        Object::sphere(vec3!(-1.4, 0.5, 0.6), real!(0.5), MaterialId(0)),
+        Object::sphere(vec3!(0, 0.8, -0.3), real!(0.8), MaterialId(1)),
     ],
-    ..Scene::new(Camera::new(
-        Vec3::lit("0", "2.4", "8"),
-        Vec3::lit("0", "1.1", "0"),
-        Real::lit("29"),
-    ))
+    ..Scene::new(Camera::new(vec3!(0, 2.4, 8), vec3!(0, 1.1, 0), real!(29)))
 };
 
 /// An animation that repeats every 2 seconds. The ball hops to the right and back, and the
 /// light moves in the same direction as the ball.
 pub(crate) static HOPS: Animation = Animation {
-    duration: Real::lit("2"),
+    duration: real!(2),
     looping: true,
     tracks: &[
         Track {
@@ -106,22 +91,22 @@ pub(crate) static HOPS: Animation = Animation {
             // Smooth interpolation through three keyframes moves the ball on a parabola. Where
             // the ball bounces, two keyframes have the same time, so the path has a corner.
             keys: &[
-                Keyframe::vector("0", "-1.4", "0.5", "0.6"),
-                Keyframe::vector("0", "-1.4", "0.5", "0.6"),
-                Keyframe::vector("0.5", "0", "2.3", "0.6"),
-                Keyframe::vector("1", "1.4", "0.5", "0.6"),
-                Keyframe::vector("1", "1.4", "0.5", "0.6"),
-                Keyframe::vector("1.5", "0", "2.3", "0.6"),
-                Keyframe::vector("2", "-1.4", "0.5", "0.6"),
+                Keyframe::vector(real!(0), vec3!(-1.4, 0.5, 0.6)),
+                Keyframe::vector(real!(0), vec3!(-1.4, 0.5, 0.6)),
+                Keyframe::vector(real!(0.5), vec3!(0, 2.3, 0.6)),
+                Keyframe::vector(real!(1), vec3!(1.4, 0.5, 0.6)),
+                Keyframe::vector(real!(1), vec3!(1.4, 0.5, 0.6)),
+                Keyframe::vector(real!(1.5), vec3!(0, 2.3, 0.6)),
+                Keyframe::vector(real!(2), vec3!(-1.4, 0.5, 0.6)),
             ],
         },
         Track {
             target: Target::LightPosition(0),
             interpolation: Interpolation::Smooth,
             keys: &[
-                Keyframe::vector("0", "-4", "9", "6"),
-                Keyframe::vector("1", "4", "9", "6"),
-                Keyframe::vector("2", "-4", "9", "6"),
+                Keyframe::vector(real!(0), vec3!(-4, 9, 6)),
+                Keyframe::vector(real!(1), vec3!(4, 9, 6)),
+                Keyframe::vector(real!(2), vec3!(-4, 9, 6)),
             ],
         },
     ],
@@ -141,6 +126,6 @@ pub(crate) fn frame(time: Real) -> Result<Display, Box<dyn Error>> {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let frames: Result<Vec<_>, _> = TIMES.iter().map(|time| frame(Real::lit(time))).collect();
+    let frames: Result<Vec<_>, _> = TIMES.into_iter().map(frame).collect();
     common::save("animation.png", 1, &frames?)
 }

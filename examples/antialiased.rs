@@ -13,7 +13,7 @@ use whitted::render::{AaSample, AntialiasedRenderer, SampleCount};
 use whitted::scene::Axis;
 use whitted::{
     Background, Camera, Color, Light, Material, MaterialId, Object, Real, Renderer, Scene,
-    SceneBuffer, Texture, Vec3,
+    SceneBuffer, Texture, color, real, vec3,
 };
 
 pub(crate) const SIZE: Size = Size::new(96, 80);
@@ -21,31 +21,28 @@ pub(crate) const SIZE: Size = Size::new(96, 80);
 /// A scene with a mirror ball on a checkerboard. It has edges, reflected edges and highlights.
 pub(crate) static SCENE: Scene = Scene {
     background: Background::Gradient {
-        horizon: Color::lit("0.85", "0.70", "0.52"),
-        zenith: Color::lit("0.14", "0.22", "0.5"),
+        horizon: color!(0.85, 0.70, 0.52),
+        zenith: color!(0.14, 0.22, 0.5),
     },
-    lights: &[Light::point(
-        Vec3::lit("-50", "80", "60"),
-        Color::lit("1.2", "1.12", "1.05"),
-    )],
+    lights: &[Light::point(vec3!(-50, 80, 60), color!(1.2, 1.12, 1.05))],
     materials: &[
         // Material 0: the mirror ball.
         Material {
-            ks: Color::gray(Real::lit("0.6")),
-            shininess: Real::lit("150"),
-            kr: Color::lit("0.82", "0.84", "0.88"),
+            ks: Color::gray(real!(0.6)),
+            shininess: real!(150),
+            kr: color!(0.82, 0.84, 0.88),
             ..Material::BLACK
         },
         // Material 1: the white squares of the floor.
         Material {
-            ka: Color::gray(Real::lit("0.12")),
-            kd: Color::lit("0.75", "0.72", "0.66"),
+            ka: Color::gray(real!(0.12)),
+            kd: color!(0.75, 0.72, 0.66),
             ..Material::BLACK
         },
         // Material 2: the crimson squares of the floor, and the small crimson ball.
         Material {
-            ka: Color::lit("0.06", "0.01", "0.03"),
-            kd: Color::lit("0.4", "0.05", "0.14"),
+            ka: color!(0.06, 0.01, 0.03),
+            kd: color!(0.4, 0.05, 0.14),
             ..Material::BLACK
         },
     ],
@@ -53,26 +50,18 @@ pub(crate) static SCENE: Scene = Scene {
         Object::floor(
             Real::ZERO,
             Texture::Checker {
-                size: Real::lit("0.8"),
+                size: real!(0.8),
                 axes: [Axis::X, Axis::Z],
                 materials: [MaterialId(1), MaterialId(2)],
             },
         ),
-        Object::sphere(
-            Vec3::lit("0", "1.15", "0"),
-            Real::lit("1.15"),
-            MaterialId(0),
-        ),
-        Object::sphere(
-            Vec3::lit("1.5", "0.35", "1.3"),
-            Real::lit("0.35"),
-            MaterialId(2),
-        ),
+        Object::sphere(vec3!(0, 1.15, 0), real!(1.15), MaterialId(0)),
+        Object::sphere(vec3!(1.5, 0.35, 1.3), real!(0.35), MaterialId(2)),
     ],
     ..Scene::new(Camera::new(
-        Vec3::lit("1.6", "2.1", "7"),
-        Vec3::lit("0.2", "0.95", "0"),
-        Real::lit("27"),
+        vec3!(1.6, 2.1, 7),
+        vec3!(0.2, 0.95, 0),
+        real!(27),
     ))
 };
 

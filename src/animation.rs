@@ -21,23 +21,30 @@ const MAX_DURATION: Real = Real::lit("16777216");
 /// A set of tracks. Each track animates one property of a scene.
 ///
 /// ```
-/// use whitted::Real;
+/// use whitted::{real, vec3};
 /// use whitted::animation::{Animation, Interpolation, Keyframe, Target, Track};
 ///
 /// static ONCE_AROUND: Animation = Animation {
-///     duration: Real::lit("4"),
+///     duration: real!(4),
 ///     looping: true,
 ///     tracks: &[
 ///         Track {
 ///             target: Target::CameraOrbit,
 ///             interpolation: Interpolation::Linear,
-///             keys: &[Keyframe::angles("0", "0", "0"), Keyframe::angles("4", "360", "0")],
+///             keys: &[
+///                 Keyframe::angles(real!(0), real!(0), real!(0)),
+///                 Keyframe::angles(real!(4), real!(360), real!(0)),
+///             ],
 ///         },
 ///         // Moves object 1 up by 2 and down again on a parabola, as if thrown.
 ///         Track {
 ///             target: Target::ObjectPosition(1),
 ///             interpolation: Interpolation::Smooth,
-///             keys: &[Keyframe::vector("0", "0", "1", "0"), Keyframe::vector("2", "0", "3", "0"), Keyframe::vector("4", "0", "1", "0")],
+///             keys: &[
+///                 Keyframe::vector(real!(0), vec3!(0, 1, 0)),
+///                 Keyframe::vector(real!(2), vec3!(0, 3, 0)),
+///                 Keyframe::vector(real!(4), vec3!(0, 1, 0)),
+///             ],
 ///         },
 ///     ],
 /// };

@@ -17,13 +17,16 @@
 //!
 //! ```
 //! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};
-//! use whitted::{Camera, Color, Light, Material, MaterialId, Object, Real, Renderer, Scene, SceneBuffer, Vec3};
+//! use whitted::{
+//!     Camera, Color, Light, Material, MaterialId, Object, Real, Renderer, Scene, SceneBuffer,
+//!     color, real, vec3,
+//! };
 //!
 //! static SCENE: Scene = Scene {
-//!     lights: &[Light::point(Vec3::lit("-6", "11", "7"), Color::gray(Real::ONE))],
-//!     materials: &[Material { kd: Color::lit("0.6", "0.04", "0.03"), ..Material::BLACK }],
-//!     objects: &[Object::sphere(Vec3::lit("0", "1", "0"), Real::ONE, MaterialId(0))],
-//!     ..Scene::new(Camera::new(Vec3::lit("0", "2", "8"), Vec3::lit("0", "1", "0"), Real::lit("33")))
+//!     lights: &[Light::point(vec3!(-6, 11, 7), Color::gray(Real::ONE))],
+//!     materials: &[Material { kd: color!(0.6, 0.04, 0.03), ..Material::BLACK }],
+//!     objects: &[Object::sphere(vec3!(0, 1, 0), Real::ONE, MaterialId(0))],
+//!     ..Scene::new(Camera::new(vec3!(0, 2, 8), vec3!(0, 1, 0), real!(33)))
 //! };
 //!
 //! let mut display = MockDisplay::<Rgb565>::new();
@@ -97,6 +100,8 @@ mod tests;
 mod trace;
 
 pub use codec::DecodeError;
+#[doc(hidden)]
+pub use math::parse_literal;
 pub use math::{Color, Radiance, Real, Vec3};
 pub use prepare::PreparedScene;
 pub use render::Renderer;

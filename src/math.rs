@@ -13,6 +13,7 @@ mod decimal;
 mod format;
 mod inverse_length;
 mod length_vector;
+mod literal;
 mod normal;
 mod power;
 mod product;
@@ -27,11 +28,13 @@ mod square_root;
 mod tangent;
 mod unit_vector;
 mod vec3;
+mod wide_arithmetic;
 mod word;
 
 pub use color::Color;
 pub use crc32::Crc32;
 pub use format::{Radiance, Real};
+pub use literal::parse_literal;
 pub use vec3::Vec3;
 
 pub(crate) use decimal::Decimal;
@@ -52,4 +55,5 @@ pub(crate) use soft_float::{SoftFloat, quotient, upper_product};
 pub(crate) use square_root::square_root;
 pub(crate) use tangent::tangent_of_half;
 pub(crate) use unit_vector::direction;
+pub(crate) use wide_arithmetic::{divide, multiply, shift_rounded};
 pub(crate) use word::{bits, high, round_length, round_unit, upper_word};

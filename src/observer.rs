@@ -54,7 +54,7 @@ pub enum ShapeKind {
 /// ```
 /// use embedded_graphics::prelude::*;
 /// use whitted::observer::{Observer, RayNode};
-/// use whitted::{Camera, Real, Renderer, Scene, SceneBuffer, Vec3};
+/// use whitted::{Camera, Renderer, Scene, SceneBuffer, real, vec3};
 ///
 /// /// Counts the rays that miss every object.
 /// #[derive(Default)]
@@ -66,7 +66,7 @@ pub enum ShapeKind {
 ///     }
 /// }
 ///
-/// let camera = Camera::new(Vec3::lit("0", "2", "8"), Vec3::lit("0", "1", "0"), Real::lit("33"));
+/// let camera = Camera::new(vec3!(0, 2, 8), vec3!(0, 1, 0), real!(33));
 /// let mut buffer = SceneBuffer::<1, 1, 1>::new();
 /// let scene = buffer.prepare(&Scene::new(camera))?;
 /// let mut renderer = Renderer::with_observer(&scene, Size::new(32, 24), Misses::default());

@@ -1,9 +1,9 @@
 //! Describes scenes. A scene has a camera, lights, materials and objects in world units.
 //!
 //! A [`Scene`] is plain data that borrows slices, so it can be a `static` in flash. Its numbers
-//! are of type [`Real`] (`I32F32`); [`Real::lit`] parses them at compile time. The types of
-//! this module accept any value. [`SceneBuffer::prepare`](crate::SceneBuffer::prepare)
-//! validates the values.
+//! are of type [`Real`] (`I32F32`). The macros [`real!`](crate::real!), [`vec3!`](crate::vec3!) and
+//! [`color!`](crate::color!) convert decimal literals at compile time. The types of this module
+//! accept any value. [`SceneBuffer::prepare`](crate::SceneBuffer::prepare) validates the values.
 
 mod builder;
 mod camera;
@@ -43,13 +43,13 @@ use crate::math::{Color, Real};
 /// If a field has a narrower range, its documentation states that range.
 ///
 /// ```
-/// use whitted::{Camera, Color, Light, Material, MaterialId, Object, Real, Scene, Vec3};
+/// use whitted::{Camera, Color, Light, Material, MaterialId, Object, Scene, color, real, vec3};
 ///
 /// static SCENE: Scene = Scene {
-///     lights: &[Light::point(Vec3::lit("-6", "11", "7"), Color::gray(Real::lit("0.95")))],
-///     materials: &[Material { kd: Color::lit("0.6", "0.04", "0.03"), ..Material::BLACK }],
-///     objects: &[Object::sphere(Vec3::lit("0", "1", "0"), Real::lit("1"), MaterialId(0))],
-///     ..Scene::new(Camera::new(Vec3::lit("0", "2", "8"), Vec3::lit("0", "1", "0"), Real::lit("33")))
+///     lights: &[Light::point(vec3!(-6, 11, 7), Color::gray(real!(0.95)))],
+///     materials: &[Material { kd: color!(0.6, 0.04, 0.03), ..Material::BLACK }],
+///     objects: &[Object::sphere(vec3!(0, 1, 0), real!(1), MaterialId(0))],
+///     ..Scene::new(Camera::new(vec3!(0, 2, 8), vec3!(0, 1, 0), real!(33)))
 /// };
 /// assert_eq!(SCENE.max_depth, 5);
 /// ```

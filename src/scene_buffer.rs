@@ -14,9 +14,9 @@ use crate::{codec, prepare};
 /// scene as its capacities.
 ///
 /// ```
-/// use whitted::{Camera, Real, Scene, SceneBuffer, Vec3};
+/// use whitted::{Camera, Scene, SceneBuffer, real, vec3};
 ///
-/// let camera = Camera::new(Vec3::lit("0", "2", "8"), Vec3::lit("0", "1", "0"), Real::lit("33"));
+/// let camera = Camera::new(vec3!(0, 2, 8), vec3!(0, 1, 0), real!(33));
 /// let mut buffer = SceneBuffer::<8, 2, 8>::new();
 /// let scene = buffer.prepare(&Scene::new(camera))?;
 /// assert_eq!(scene.max_depth(), 5);

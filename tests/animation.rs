@@ -6,18 +6,16 @@ use whitted::animation::{
     AnimatedScene, Animation, AnimationError, AnimationProblem, Interpolation, Keyframe, Target,
     Track,
 };
-use whitted::{Camera, Color, Light, MaterialId, Object, Real, Scene, Shape, Texture, Vec3};
+use whitted::{
+    Camera, Color, Light, MaterialId, Object, Real, Scene, Shape, Texture, Vec3, color, real, vec3,
+};
 
 use Interpolation::{Linear, Smooth};
 
-const CAMERA: Camera = Camera::new(
-    Vec3::lit("0", "1", "8"),
-    Vec3::lit("0", "1", "0"),
-    Real::lit("33"),
-);
-const BALL: Object = Object::sphere(Vec3::lit("0", "1", "0"), Real::ONE, MaterialId(0));
+const CAMERA: Camera = Camera::new(vec3!(0, 1, 8), vec3!(0, 1, 0), real!(33));
+const BALL: Object = Object::sphere(vec3!(0, 1, 0), Real::ONE, MaterialId(0));
 const FLOOR: Object = Object::floor(Real::ZERO, Texture::Uniform(MaterialId(0)));
-const LAMP: Light = Light::point(Vec3::lit("-6", "11", "7"), Color::gray(Real::ONE));
+const LAMP: Light = Light::point(vec3!(-6, 11, 7), Color::gray(Real::ONE));
 
 const SCENE: Scene<'static> = Scene {
     lights: &[LAMP],
@@ -34,7 +32,7 @@ fn value(keys: &[Keyframe], interpolation: Interpolation, looping: bool, time: &
         keys,
     }];
     let animation = Animation {
-        duration: Real::lit("8"),
+        duration: real!(8),
         looping,
         tracks: &tracks,
     };
@@ -45,13 +43,13 @@ fn value(keys: &[Keyframe], interpolation: Interpolation, looping: bool, time: &
 #[track_caller]
 fn assert_near(a: Real, b: &str) {
     let b: Real = b.parse().unwrap();
-    assert!((a - b).abs() < Real::lit("0.00000001"), "{a}, not {b}");
+    assert!((a - b).abs() < real!(0.00000001), "{a}, not {b}");
 }
 
 const RAMP: [Keyframe; 3] = [
-    Keyframe::number("1", "10"),
-    Keyframe::number("3", "20"),
-    Keyframe::number("7", "-20"),
+    Keyframe::number(real!(1), real!(10)),
+    Keyframe::number(real!(3), real!(20)),
+    Keyframe::number(real!(7), real!(-20)),
 ];
 
 #[test]
@@ -81,7 +79,7 @@ fn interpolation_passes_through_keys() {
             let got = value(&RAMP, interpolation, false, &key.time.to_string());
             assert_eq!(got, key.value.x);
         }
-        let single = [Keyframe::number("4", "5")];
+        let single = [Keyframe::number(real!(4), real!(5))];
         for time in ["0", "4", "8"] {
             assert_eq!(value(&single, interpolation, true, time), 5);
         }
@@ -91,7 +89,7 @@ fn interpolation_passes_through_keys() {
 #[test]
 fn loop_repeats_after_its_duration() {
     for time in ["8", "9.5", "17.25", "-2"] {
-        let within = time.parse::<Real>().unwrap().rem_euclid(Real::lit("8"));
+        let within = time.parse::<Real>().unwrap().rem_euclid(real!(8));
         assert_eq!(
             value(&RAMP, Smooth, true, time),
             value(&RAMP, Smooth, true, &within.to_string()),
@@ -104,10 +102,10 @@ fn loop_repeats_after_its_duration() {
 #[test]
 fn smooth_interpolation_reproduces_parabola() {
     let keys = [
-        Keyframe::number("0", "0"),
-        Keyframe::number("1", "3.5"),
-        Keyframe::number("5", "7.5"),
-        Keyframe::number("8", "0"),
+        Keyframe::number(real!(0), real!(0)),
+        Keyframe::number(real!(1), real!(3.5)),
+        Keyframe::number(real!(5), real!(7.5)),
+        Keyframe::number(real!(8), real!(0)),
     ];
     for (time, expected) in [
         ("0.5", "1.875"),
@@ -122,7 +120,10 @@ fn smooth_interpolation_reproduces_parabola() {
 
 #[test]
 fn smooth_interpolation_of_two_keys_is_linear() {
-    let keys = [Keyframe::number("0", "0"), Keyframe::number("8", "16")];
+    let keys = [
+        Keyframe::number(real!(0), real!(0)),
+        Keyframe::number(real!(8), real!(16)),
+    ];
     assert_eq!(value(&keys, Smooth, true, "3"), 6);
 }
 
@@ -131,10 +132,10 @@ fn smooth_interpolation_of_two_keys_is_linear() {
 #[test]
 fn smooth_interpolation_of_even_keys_is_catmull_rom() {
     let keys = [
-        Keyframe::number("0", "1"),
-        Keyframe::number("2", "3"),
-        Keyframe::number("4", "2"),
-        Keyframe::number("6", "5"),
+        Keyframe::number(real!(0), real!(1)),
+        Keyframe::number(real!(2), real!(3)),
+        Keyframe::number(real!(4), real!(2)),
+        Keyframe::number(real!(6), real!(5)),
     ];
     // (-p0 + 9 p1 + 9 p2 - p3) / 16
     assert_near(value(&keys, Smooth, false, "3"), "2.4375");
@@ -144,7 +145,7 @@ fn smooth_interpolation_of_even_keys_is_catmull_rom() {
 
 /// Returns the slope of the smooth interpolation just after a time.
 fn speed(keys: &[Keyframe], looping: bool, time: &str) -> Real {
-    let step = Real::lit("0.0001");
+    let step = real!(0.0001);
     let time: Real = time.parse().unwrap();
     let at = |time: Real| value(keys, Smooth, looping, &time.to_string());
     (at(time + step) - at(time)) * 10_000
@@ -153,21 +154,21 @@ fn speed(keys: &[Keyframe], looping: bool, time: &str) -> Real {
 #[test]
 fn doubled_key_makes_corner_or_jump() {
     let bounce = [
-        Keyframe::number("0", "0"),
-        Keyframe::number("2", "4"),
-        Keyframe::number("4", "0"),
-        Keyframe::number("4", "0"),
-        Keyframe::number("6", "4"),
-        Keyframe::number("8", "0"),
+        Keyframe::number(real!(0), real!(0)),
+        Keyframe::number(real!(2), real!(4)),
+        Keyframe::number(real!(4), real!(0)),
+        Keyframe::number(real!(4), real!(0)),
+        Keyframe::number(real!(6), real!(4)),
+        Keyframe::number(real!(8), real!(0)),
     ];
     // The slope changes from -4 to 4 at the doubled key.
-    assert!((speed(&bounce, false, "3.9998") + Real::from(4)).abs() < Real::lit("0.01"));
-    assert!((speed(&bounce, false, "4") - Real::from(4)).abs() < Real::lit("0.01"));
+    assert!((speed(&bounce, false, "3.9998") + Real::from(4)).abs() < real!(0.01));
+    assert!((speed(&bounce, false, "4") - Real::from(4)).abs() < real!(0.01));
     let jump = [
-        Keyframe::number("0", "0"),
-        Keyframe::number("4", "1"),
-        Keyframe::number("4", "5"),
-        Keyframe::number("8", "6"),
+        Keyframe::number(real!(0), real!(0)),
+        Keyframe::number(real!(4), real!(1)),
+        Keyframe::number(real!(4), real!(5)),
+        Keyframe::number(real!(8), real!(6)),
     ];
     for interpolation in [Linear, Smooth] {
         assert_near(value(&jump, interpolation, false, "3"), "0.75");
@@ -178,16 +179,16 @@ fn doubled_key_makes_corner_or_jump() {
 #[test]
 fn loop_with_equal_ends_is_smooth() {
     let wave = [
-        Keyframe::number("0", "0"),
-        Keyframe::number("1", "4"),
-        Keyframe::number("6", "-4"),
-        Keyframe::number("8", "0"),
+        Keyframe::number(real!(0), real!(0)),
+        Keyframe::number(real!(1), real!(4)),
+        Keyframe::number(real!(6), real!(-4)),
+        Keyframe::number(real!(8), real!(0)),
     ];
     let (end, start) = (speed(&wave, true, "7.9998"), speed(&wave, true, "0"));
-    assert!((end - start).abs() < Real::lit("0.01"), "{end} {start}");
+    assert!((end - start).abs() < real!(0.01), "{end} {start}");
     let doubled = [&wave[..1], &wave].concat();
     let (end, start) = (speed(&doubled, true, "7.9998"), speed(&doubled, true, "0"));
-    assert!((end - start).abs() > Real::lit("0.5"), "{end} {start}");
+    assert!((end - start).abs() > real!(0.5), "{end} {start}");
 }
 
 #[test]
@@ -219,13 +220,16 @@ fn animates_every_target() {
         keys,
     };
     let position: &[Keyframe] = &[
-        Keyframe::vector("0", "0", "0", "0"),
-        Keyframe::vector("2", "2", "4", "6"),
+        Keyframe::vector(real!(0), vec3!(0, 0, 0)),
+        Keyframe::vector(real!(2), vec3!(2, 4, 6)),
     ];
-    let number: &[Keyframe] = &[Keyframe::number("0", "1"), Keyframe::number("2", "3")];
+    let number: &[Keyframe] = &[
+        Keyframe::number(real!(0), real!(1)),
+        Keyframe::number(real!(2), real!(3)),
+    ];
     let turn: &[Keyframe] = &[
-        Keyframe::angles("0", "0", "0"),
-        Keyframe::angles("2", "180", "0"),
+        Keyframe::angles(real!(0), real!(0), real!(0)),
+        Keyframe::angles(real!(2), real!(180), real!(0)),
     ];
     let tracks = [
         track(Target::CameraOrbit, turn),
@@ -237,7 +241,7 @@ fn animates_every_target() {
         track(Target::LightColor(0), position),
     ];
     let animation = Animation {
-        duration: Real::lit("2"),
+        duration: real!(2),
         looping: false,
         tracks: &tracks,
     };
@@ -245,17 +249,17 @@ fn animates_every_target() {
     // Each frame must start from the authored scene, not from the previous frame.
     for _ in 0..2 {
         let frame = animated.frame(&SCENE, &animation, Real::ONE).unwrap();
-        assert_eq!(frame.camera.look_at, Vec3::lit("1", "2", "3"));
+        assert_eq!(frame.camera.look_at, vec3!(1, 2, 3));
         // The orbit turns the offset (-1, -1, 5) by 90 degrees to the right.
-        assert_eq!(frame.camera.eye, Vec3::lit("6", "1", "4"));
+        assert_eq!(frame.camera.eye, vec3!(6, 1, 4));
         assert_eq!(frame.camera.fovy_deg, 2);
         let Shape::Plane { point, .. } = frame.objects[0].shape else {
             panic!("{frame:?}")
         };
-        assert_eq!(point, Vec3::lit("1", "2", "3"));
-        let expected = Object::sphere(Vec3::lit("0", "1", "0"), Real::lit("2"), MaterialId(0));
+        assert_eq!(point, vec3!(1, 2, 3));
+        let expected = Object::sphere(vec3!(0, 1, 0), real!(2), MaterialId(0));
         assert_eq!(frame.objects[1], expected);
-        let (at, color) = (Vec3::lit("1", "2", "3"), Color::lit("1", "2", "3"));
+        let (at, color) = (vec3!(1, 2, 3), color!(1, 2, 3));
         assert_eq!(frame.lights, [Light::point(at, color)]);
     }
     let eye = [track(Target::CameraEye, position)];
@@ -264,7 +268,7 @@ fn animates_every_target() {
         ..animation
     };
     let moved = animation.camera(CAMERA, Real::ONE).unwrap();
-    assert_eq!(moved.eye, Vec3::lit("1", "2", "3"));
+    assert_eq!(moved.eye, vec3!(1, 2, 3));
 }
 
 /// Returns the error of an animation with one looping track.
@@ -286,8 +290,8 @@ fn rejected(duration: &str, target: Target, keys: &[Keyframe]) -> AnimationError
 
 #[test]
 fn rejects_invalid_animations() {
-    let key = Keyframe::number("1", "1");
-    let late = Keyframe::number("2", "1");
+    let key = Keyframe::number(real!(1), real!(1));
+    let late = Keyframe::number(real!(2), real!(1));
     let fovy = Target::CameraFovy;
     let track_error = |problem| AnimationError {
         track: Some(0),
@@ -305,10 +309,14 @@ fn rejects_invalid_animations() {
         (fovy, &[key, key, key], Crowded(2)),
         (
             fovy,
-            &[key, Keyframe::number("3.5", "1")],
+            &[key, Keyframe::number(real!(3.5), real!(1))],
             OutsideDuration(1),
         ),
-        (fovy, &[Keyframe::number("-1", "1")], OutsideDuration(0)),
+        (
+            fovy,
+            &[Keyframe::number(real!(-1), real!(1))],
+            OutsideDuration(0),
+        ),
         (Target::ObjectPosition(2), &[key], NoSuchObject(2)),
         (Target::ObjectRadius(2), &[key], NoSuchObject(2)),
         (Target::ObjectRadius(0), &[key], NoRadius(0)),

@@ -14,29 +14,22 @@ use whitted::render::{AaSample, AntialiasError, AntialiasedRenderer, SampleCount
 use whitted::scene::Axis;
 use whitted::{
     Background, Camera, Color, Light, Material, MaterialId, Object, Radiance, Real, Renderer,
-    Scene, SceneBuffer, Texture, Vec3,
+    Scene, SceneBuffer, Texture, color, real, vec3,
 };
 
 const DULL: Material = Material {
-    kd: Color::lit("0.7", "0.7", "0.7"),
+    kd: color!(0.7, 0.7, 0.7),
     ..Material::BLACK
 };
 
 const SCENE: Scene = Scene {
-    lights: &[Light::point(
-        Vec3::lit("-6", "11", "7"),
-        Color::gray(Real::ONE),
-    )],
+    lights: &[Light::point(vec3!(-6, 11, 7), Color::gray(Real::ONE))],
     materials: &[DULL, DULL],
     objects: &[
-        Object::sphere(Vec3::lit("0", "1", "0"), Real::ONE, MaterialId(0)),
+        Object::sphere(vec3!(0, 1, 0), Real::ONE, MaterialId(0)),
         Object::floor(Real::ZERO, Texture::Uniform(MaterialId(1))),
     ],
-    ..Scene::new(Camera::new(
-        Vec3::lit("0", "2", "8"),
-        Vec3::lit("0", "1", "0"),
-        Real::lit("33"),
-    ))
+    ..Scene::new(Camera::new(vec3!(0, 2, 8), vec3!(0, 1, 0), real!(33)))
 };
 
 const SIZE: Size = Size::new(40, 30);
@@ -110,7 +103,7 @@ fn extra_rays(scene: &Scene<'_>) -> u32 {
 
 #[test]
 fn edges_are_at_differences_of_object_material_shadow_or_color() {
-    let dim = Background::Solid(Color::lit("0.01", "0.01", "0.01"));
+    let dim = Background::Solid(color!(0.01, 0.01, 0.01));
     let floor = [Object::floor(Real::ZERO, Texture::Uniform(MaterialId(0)))];
     let plain = Scene {
         background: dim,
@@ -131,7 +124,7 @@ fn edges_are_at_differences_of_object_material_shadow_or_color() {
     // Material edge, although both materials have the same color.
     let board = Texture::Checker {
         axes: [Axis::X, Axis::Z],
-        size: Real::lit("2"),
+        size: real!(2),
         materials: [MaterialId(0), MaterialId(1)],
     };
     let tiled = Scene {
@@ -141,10 +134,7 @@ fn edges_are_at_differences_of_object_material_shadow_or_color() {
     assert!(extra_rays(&tiled) > 2 * horizon);
 
     // Shadow edge, although the light is almost invisible.
-    let faint = [Light::point(
-        Vec3::lit("-6", "11", "7"),
-        Color::lit("0.001", "0.001", "0.001"),
-    )];
+    let faint = [Light::point(vec3!(-6, 11, 7), color!(0.001, 0.001, 0.001))];
     let ball = [SCENE.objects[0], floor[0]];
     let unlit = Scene {
         objects: &ball,
@@ -166,7 +156,7 @@ fn edges_are_at_differences_of_object_material_shadow_or_color() {
     };
     assert_eq!(extra_rays(&sky), 0);
     let wide = Camera {
-        fovy_deg: Real::lit("120"),
+        fovy_deg: real!(120),
         ..SCENE.camera
     };
     let steep = Scene {

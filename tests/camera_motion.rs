@@ -5,7 +5,7 @@
 
 use embedded_graphics::geometry::Size;
 use whitted::scene::{SceneItem, SceneProblem};
-use whitted::{Camera, PreparedScene, Real, Renderer, SceneBuffer, Vec3};
+use whitted::{Camera, PreparedScene, Real, Renderer, SceneBuffer, Vec3, real, vec3};
 use whitted_sim::{picture::Picture, render, scene_file};
 
 const SIZE: Size = Size::new(64, 48);
@@ -150,7 +150,7 @@ fn lines_match_pixels_at_any_distance() {
             let pixels: Vec<_> = (0..SIZE.width).map(|x| renderer.pixel(x, y)).collect();
             assert_eq!(line, pixels);
         }
-        scale += Real::lit("0.25");
+        scale += real!(0.25);
     }
     assert!(scale > 2, "{scale}");
 }
@@ -165,7 +165,7 @@ fn rejected_camera_leaves_scene_unchanged() {
     let bad = [
         (
             Camera {
-                eye: Vec3::lit("0", "0", "1000"),
+                eye: vec3!(0, 0, 1000),
                 ..camera
             },
             "eye",
@@ -207,11 +207,7 @@ fn rejected_camera_leaves_scene_unchanged() {
 
 #[test]
 fn orbit_keeps_distance() {
-    let start = Camera::new(
-        Vec3::lit("0.2", "2.3", "8.2"),
-        Vec3::lit("0.12", "1.22", "0"),
-        Real::lit("33"),
-    );
+    let start = Camera::new(vec3!(0.2, 2.3, 8.2), vec3!(0.12, 1.22, 0), real!(33));
     let radius = distance(start.eye, start.look_at);
     let mut camera = start;
     for step in 0..720 {
@@ -229,12 +225,8 @@ fn orbit_keeps_distance() {
 #[test]
 fn orbit_stops_at_89_degrees_elevation() {
     let start = Camera {
-        up: Vec3::lit("0.1", "3", "0.2"),
-        ..Camera::new(
-            Vec3::lit("3", "1", "4"),
-            Vec3::lit("0", "1", "0"),
-            Real::lit("33"),
-        )
+        up: vec3!(0.1, 3, 0.2),
+        ..Camera::new(vec3!(3, 1, 4), vec3!(0, 1, 0), real!(33))
     };
     let elevation = |camera: Camera| {
         let offset = camera.eye - camera.look_at;
@@ -270,11 +262,7 @@ fn orbit_stops_at_89_degrees_elevation() {
 
 #[test]
 fn orbit_of_degenerate_camera_changes_nothing() {
-    let above = Camera::new(
-        Vec3::lit("0", "5", "0"),
-        Vec3::lit("0", "1", "0"),
-        Real::lit("33"),
-    );
+    let above = Camera::new(vec3!(0, 5, 0), vec3!(0, 1, 0), real!(33));
     let (yaw, pitch) = (Real::from(40), Real::from(20));
     assert_eq!(above.orbited(yaw, pitch), above);
     let degenerate = Camera {

@@ -11,7 +11,7 @@ use fastrand::Rng;
 use whitted::render::DirtyLines;
 use whitted::{
     Camera, Color, Light, Material, MaterialId, Object, Real, Renderer, Scene, SceneBuffer,
-    Texture, Vec3,
+    Texture, Vec3, color, real, vec3,
 };
 
 /// Picture size; segments are 32 pixels wide, so the last one of each line is partial.
@@ -35,20 +35,13 @@ fn frame<C: whitted::render::DisplayColor + PixelColor>(number: i32, black: C) -
         ..Material::BLACK
     };
     let scene = Scene {
-        lights: &[Light::point(
-            Vec3::lit("-6", "11", "7"),
-            Color::gray(Real::ONE),
-        )],
+        lights: &[Light::point(vec3!(-6, 11, 7), Color::gray(Real::ONE))],
         materials: &[
-            material(Color::lit("0.1", "0.5", "0.2")),
-            material(Color::lit("0.8", "0.6", "0.5")),
+            material(color!(0.1, 0.5, 0.2)),
+            material(color!(0.8, 0.6, 0.5)),
         ],
         objects: &objects,
-        ..Scene::new(Camera::new(
-            Vec3::lit("0", "3", "9"),
-            Vec3::lit("0", "1", "0"),
-            Real::lit("33"),
-        ))
+        ..Scene::new(Camera::new(vec3!(0, 3, 9), vec3!(0, 1, 0), real!(33)))
     };
     let mut buffer = SceneBuffer::<2, 1, 2>::new();
     let scene = buffer.prepare(&scene).unwrap();

@@ -7,7 +7,7 @@ use std::path::Path;
 use embedded_graphics::prelude::Size;
 use whitted::animation::AnimatedScene;
 use whitted::codec::Crc32;
-use whitted::{PreparedScene, Real, SceneBuffer};
+use whitted::{PreparedScene, SceneBuffer, real};
 use whitted_sim::render;
 
 #[path = "../tests/rigs/motion/src/scene.rs"]
@@ -38,7 +38,7 @@ fn compiled_scene_checksum() -> Outcome {
 #[test]
 fn animation_frame_checksum() -> Outcome {
     let mut animated = AnimatedScene::<5, 1>::new();
-    let frame = animated.frame(&moving::SCENE, &moving::ANIMATION, Real::lit("0.7"))?;
+    let frame = animated.frame(&moving::SCENE, &moving::ANIMATION, real!(0.7))?;
     let mut buffer = SceneBuffer::<5, 1, 5>::new();
     let scene = buffer.prepare(&frame)?;
     let mut bytes = vec![0; scene.encoded_len()];

@@ -31,7 +31,7 @@ use std::path::Path;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::prelude::*;
 use whitted::animation::Keyframe;
-use whitted::{DecodeError, Object, Real, Renderer, Scene, SceneBuffer, Vec3};
+use whitted::{DecodeError, Object, Real, Renderer, Scene, SceneBuffer, Vec3, real};
 
 use progressive::common::scene::{SCENE, SIZE};
 
@@ -141,7 +141,7 @@ fn animation_moves_ball_and_light_to_the_keyframes() {
         assert_eq!(animation::frame(time).unwrap().pixels, expected);
     }
     let start = animation::frame(Real::ZERO).unwrap();
-    assert_eq!(animation::frame(Real::lit("2")).unwrap(), start);
+    assert_eq!(animation::frame(real!(2)).unwrap(), start);
     assert_ne!(animation::frame(Real::ONE).unwrap(), start);
 }
 
@@ -149,7 +149,7 @@ fn animation_moves_ball_and_light_to_the_keyframes() {
 fn moved(ball: Vec3<Real>, light: Vec3<Real>) -> Vec<Rgb565> {
     let mut objects = animation::SCENE.objects.to_vec();
     let mut lights = animation::SCENE.lights.to_vec();
-    objects[1] = Object::sphere(ball, Real::lit("0.5"), whitted::MaterialId(0));
+    objects[1] = Object::sphere(ball, real!(0.5), whitted::MaterialId(0));
     lights[0].position = light;
     let scene = Scene {
         objects: &objects,
@@ -215,7 +215,7 @@ macro_rules! assert_documented {
 
 #[test]
 fn documentation_shows_the_pictures() {
-    let frames = animation::TIMES.map(|time| animation::frame(Real::lit(time)).unwrap());
+    let frames = animation::TIMES.map(|time| animation::frame(time).unwrap());
     assert_documented!(first_scene, 1, &[first_scene::picture().unwrap()]);
     assert_documented!(progressive, 2, &progressive::pictures().unwrap().0);
     assert_documented!(antialiased, 4, &antialiased::pictures().unwrap());

@@ -1,7 +1,7 @@
 use whitted::scene::{Axis, ClipBox, SpecularModel};
 use whitted::{
     Background, Camera, Color, Light, Material, MaterialId, Object, Real, Scene, SceneBuffer,
-    Shape, Texture, Vec3,
+    Shape, Texture, Vec3, real,
 };
 
 use super::bytes::Bytes;
@@ -10,7 +10,7 @@ use super::picture::draw_as_compiled;
 type Buffer = SceneBuffer<6, 3, 3>;
 
 /// Upper limit of light and background colors.
-const MAX_RADIANCE: Real = Real::lit("256");
+const MAX_RADIANCE: Real = real!(256);
 
 /// Checks scenes whose numbers are often at the ends of their valid ranges.
 ///
@@ -52,8 +52,8 @@ struct Lists {
 
 impl<'a> SceneGenerator<'a> {
     fn new(mut bytes: Bytes<'a>) -> Self {
-        let min = Real::lit("0.000001");
-        let max = Real::lit("16777216");
+        let min = real!(0.000001);
+        let max = real!(16777216);
         let max_coordinate = match bytes.choice(4) {
             0 => max,
             1 => min * 64,
@@ -81,8 +81,8 @@ impl<'a> SceneGenerator<'a> {
         Camera {
             eye: bytes.point(*max_coordinate),
             look_at,
-            up: bytes.point(Real::lit("16777216")),
-            fovy_deg: bytes.number(Real::lit("1"), Real::lit("170")),
+            up: bytes.point(real!(16777216)),
+            fovy_deg: bytes.number(real!(1), real!(170)),
         }
     }
 
@@ -142,8 +142,8 @@ impl<'a> SceneGenerator<'a> {
             true => bytes.number(Real::MIN, Real::MAX),
             false => bytes.number(min, max),
         };
-        let shininess = parameter(ks, [Real::ONE, Real::lit("4096")]);
-        let ior = parameter(kt, [Real::ONE, Real::lit("4")]);
+        let shininess = parameter(ks, [Real::ONE, real!(4096)]);
+        let ior = parameter(kt, [Real::ONE, real!(4)]);
         Material {
             ka,
             kd,
@@ -202,9 +202,7 @@ impl<'a> SceneGenerator<'a> {
         match self.bytes.choice(7) {
             0 => Shape::Sphere { center, radius },
             1 => {
-                let longest = radius
-                    .saturating_mul(Real::lit("256"))
-                    .min(self.max_coordinate);
+                let longest = radius.saturating_mul(real!(256)).min(self.max_coordinate);
                 let mut radii = Vec3::new(radius, radius, radius);
                 radii.x = self.bytes.number(radius, longest);
                 radii.y = self.bytes.number(radius, longest);
@@ -216,7 +214,7 @@ impl<'a> SceneGenerator<'a> {
                 y: self.optional_interval(),
             },
             3 => {
-                let [min, max] = [radius >> 10_u32, radius.saturating_mul(Real::lit("1024"))];
+                let [min, max] = [radius >> 10_u32, radius.saturating_mul(real!(1024))];
                 let height = self.bytes.number(min, max);
                 let up = self.bytes.choice(2) == 0;
                 Shape::Cone {
@@ -231,7 +229,7 @@ impl<'a> SceneGenerator<'a> {
                 y: self.interval(),
             },
             5 => Shape::Plane {
-                normal: self.bytes.point(Real::lit("16777216")),
+                normal: self.bytes.point(real!(16777216)),
                 point: center,
                 bounds: ClipBox {
                     x: self.optional_interval(),
@@ -243,7 +241,7 @@ impl<'a> SceneGenerator<'a> {
                 center,
                 radius,
                 depth: self.bytes.choice(9),
-                ratio: self.bytes.number(Real::lit("0.1"), Real::lit("0.5")),
+                ratio: self.bytes.number(real!(0.1), real!(0.5)),
                 frame: self.frame(),
             },
         }

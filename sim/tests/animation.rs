@@ -3,7 +3,7 @@
 use std::error::Error;
 
 use whitted::scene::{SceneItem, SceneProblem};
-use whitted::{Color, Light, MaterialId, Object, Real, SceneError, Vec3};
+use whitted::{Light, MaterialId, Object, Real, SceneError, color, real, vec3};
 use whitted_sim::scene_file::{self, AnimatedScene};
 
 const SCENE: &str = r#"
@@ -63,15 +63,15 @@ fn applies_every_kind_of_target() -> Result<(), Box<dyn Error>> {
     let file = scene_file::parse("moving.toml", &[SCENE, ANIMATION].concat())?;
     let mut buffer = Box::new(AnimatedScene::new());
     let frame = file.frame(&mut buffer, Real::ONE)?;
-    assert_eq!(frame.camera.eye, Vec3::lit("8", "1", "0"));
+    assert_eq!(frame.camera.eye, vec3!(8, 1, 0));
     assert_eq!(frame.camera.fovy_deg, 30);
-    let (ball, red) = (Vec3::lit("0", "3", "0"), MaterialId(0));
-    assert_eq!(frame.objects, [Object::sphere(ball, Real::lit("0.5"), red)]);
-    let (sun, color) = (Vec3::lit("2", "9", "0"), Color::lit("1", "0.5", "0.75"));
+    let (ball, red) = (vec3!(0, 3, 0), MaterialId(0));
+    assert_eq!(frame.objects, [Object::sphere(ball, real!(0.5), red)]);
+    let (sun, color) = (vec3!(2, 9, 0), color!(1, 0.5, 0.75));
     assert_eq!(frame.lights, [Light::point(sun, color)]);
     // After its duration, the animation keeps its last values.
     let frame = file.frame(&mut buffer, Real::from(3))?;
-    assert_eq!(frame.camera.eye, Vec3::lit("0", "1", "-8"));
+    assert_eq!(frame.camera.eye, vec3!(0, 1, -8));
     Ok(())
 }
 
@@ -81,7 +81,7 @@ fn loops_by_default() -> Result<(), Box<dyn Error>> {
     let file = scene_file::parse("looping.toml", &[SCENE, &looping].concat())?;
     let mut buffer = Box::new(AnimatedScene::new());
     let frame = file.frame(&mut buffer, Real::from(3))?;
-    assert_eq!(frame.camera.eye, Vec3::lit("8", "1", "0"));
+    assert_eq!(frame.camera.eye, vec3!(8, 1, 0));
     Ok(())
 }
 

@@ -21,21 +21,28 @@ use crate::scene::{Light, Object, Scene};
 ///
 /// ```
 /// use whitted::animation::{AnimatedScene, Animation, Interpolation, Keyframe, Target, Track};
-/// use whitted::{Camera, Color, Light, Material, MaterialId, Object, Real, Scene, SceneBuffer, Vec3};
+/// use whitted::{
+///     Camera, Color, Light, Material, MaterialId, Object, Real, Scene, SceneBuffer, color, real,
+///     vec3,
+/// };
 ///
 /// static SCENE: Scene = Scene {
-///     lights: &[Light::point(Vec3::lit("-6", "11", "7"), Color::gray(Real::ONE))],
-///     materials: &[Material { kd: Color::lit("0.6", "0.04", "0.03"), ..Material::BLACK }],
-///     objects: &[Object::sphere(Vec3::lit("0", "1", "0"), Real::ONE, MaterialId(0))],
-///     ..Scene::new(Camera::new(Vec3::lit("0", "2", "8"), Vec3::lit("0", "1", "0"), Real::lit("33")))
+///     lights: &[Light::point(vec3!(-6, 11, 7), Color::gray(Real::ONE))],
+///     materials: &[Material { kd: color!(0.6, 0.04, 0.03), ..Material::BLACK }],
+///     objects: &[Object::sphere(vec3!(0, 1, 0), Real::ONE, MaterialId(0))],
+///     ..Scene::new(Camera::new(vec3!(0, 2, 8), vec3!(0, 1, 0), real!(33)))
 /// };
 /// static UP_AND_DOWN: Animation = Animation {
-///     duration: Real::lit("2"),
+///     duration: real!(2),
 ///     looping: true,
 ///     tracks: &[Track {
 ///         target: Target::ObjectPosition(0),
 ///         interpolation: Interpolation::Smooth,
-///         keys: &[Keyframe::vector("0", "0", "1", "0"), Keyframe::vector("1", "0", "2", "0"), Keyframe::vector("2", "0", "1", "0")],
+///         keys: &[
+///             Keyframe::vector(real!(0), vec3!(0, 1, 0)),
+///             Keyframe::vector(real!(1), vec3!(0, 2, 0)),
+///             Keyframe::vector(real!(2), vec3!(0, 1, 0)),
+///         ],
 ///     }],
 /// };
 ///

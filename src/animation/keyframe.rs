@@ -2,7 +2,7 @@
 //! point.
 
 use super::AnimationProblem;
-use crate::math::{Real, Vec3};
+use crate::math::{Real, Vec3, divide, multiply};
 
 /// Value of an animated property at a given time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,23 +20,27 @@ pub struct Keyframe {
 }
 
 impl Keyframe {
-    /// Returns a keyframe for a point or a color. All arguments are decimal literals.
-    pub const fn vector(time: &str, x: &str, y: &str, z: &str) -> Self {
-        Self {
-            time: Real::lit(time),
-            value: Vec3::lit(x, y, z),
-        }
+    /// Returns a keyframe for a point or a color.
+    ///
+    /// ```
+    /// use whitted::animation::Keyframe;
+    /// use whitted::{real, vec3};
+    ///
+    /// let top = Keyframe::vector(real!(0.5), vec3!(0, 2, 0));
+    /// assert_eq!(top.value.y, real!(2));
+    /// ```
+    pub const fn vector(time: Real, value: Vec3<Real>) -> Self {
+        Self { time, value }
     }
 
-    /// Returns a keyframe for an orbit, with angles in degrees. All arguments are decimal
-    /// literals.
-    pub const fn angles(time: &str, yaw: &str, pitch: &str) -> Self {
-        Self::vector(time, yaw, pitch, "0")
+    /// Returns a keyframe for an orbit, with angles in degrees.
+    pub const fn angles(time: Real, yaw_deg: Real, pitch_deg: Real) -> Self {
+        Self::vector(time, Vec3::new(yaw_deg, pitch_deg, Real::ZERO))
     }
 
-    /// Returns a keyframe for a plain number. Both arguments are decimal literals.
-    pub const fn number(time: &str, number: &str) -> Self {
-        Self::vector(time, number, "0", "0")
+    /// Returns a keyframe for a plain number.
+    pub const fn number(time: Real, number: Real) -> Self {
+        Self::vector(time, Vec3::new(number, Real::ZERO, Real::ZERO))
     }
 }
 
@@ -98,7 +102,7 @@ pub(super) fn value(
             let segment = Segment::new(from, to);
             let part = ratio(time - from.time, segment.span);
             let moved = match interpolation {
-                Interpolation::Linear => segment.change.map(|c| c.saturating_mul(part)),
+                Interpolation::Linear => segment.change.map(|c| multiply(c, part)),
                 Interpolation::Smooth => segment.smooth(neighbors(keys, next, period), part),
             };
             from.value.zip(moved, Real::saturating_add)
@@ -136,7 +140,7 @@ impl<'k> Segment<'k> {
             (Some(first), Some(last)) => (first, last),
             (Some(first), None) => (first, self.opposite(first)),
             (None, Some(last)) => (self.opposite(last), last),
-            (None, None) => return self.change.map(|c| c.saturating_mul(part)),
+            (None, None) => return self.change.map(|c| multiply(c, part)),
         };
         let ends = first.zip(last, |first, last| (first, last));
         self.change.zip(ends, |change, (first, last)| {
@@ -148,16 +152,15 @@ impl<'k> Segment<'k> {
     /// `neighbor`. It is the slope of a parabola through the keyframes of both segments. The
     /// slope is measured as the change of the value over the time of this segment. Returns
     /// `None` if the two keyframes of `neighbor` have the same time.
+    #[inline(never)]
     fn slope(&self, neighbor: &Segment<'_>) -> Option<Vec3<Real>> {
         if neighbor.span == 0 {
             return None;
         }
         let weight = ratio(neighbor.span, neighbor.span.saturating_add(self.span));
-        let stretch = ratio(self.span, neighbor.span).saturating_mul(Real::ONE - weight);
+        let stretch = multiply(ratio(self.span, neighbor.span), Real::ONE - weight);
         Some(self.change.zip(neighbor.change, |change, other| {
-            change
-                .saturating_mul(weight)
-                .saturating_add(other.saturating_mul(stretch))
+            multiply(change, weight).saturating_add(multiply(other, stretch))
         }))
     }
 
@@ -201,6 +204,7 @@ fn wrapped_ends(keys: &[Keyframe], period: Real) -> Option<[Option<Keyframe>; 2]
 /// between the value there and the value at the start. The curve rises by `change` over the
 /// whole interval and has the slopes `first` and `last` at its ends. The result is exact at
 /// both ends.
+#[inline(never)]
 fn hermite(change: Real, first: Real, last: Real, part: Real) -> Real {
     // If the curve is a straight line, `first` and `last` equal `change`, so both bends are
     // zero.
@@ -209,14 +213,14 @@ fn hermite(change: Real, first: Real, last: Real, part: Real) -> Real {
         .saturating_add(first_bend)
         .saturating_add(last_bend);
     let cube = first_bend.saturating_add(last_bend).saturating_neg();
-    let bent = cube.saturating_mul(part).saturating_add(square);
-    let bent = bent.saturating_mul(part).saturating_add(first);
-    bent.saturating_mul(part)
+    let bent = multiply(cube, part).saturating_add(square);
+    let bent = multiply(bent, part).saturating_add(first);
+    multiply(bent, part)
 }
 
 /// Returns `dividend / divisor`, rounded toward zero and saturated. Returns 0 if `divisor` is
 /// 0.
 fn ratio(dividend: Real, divisor: Real) -> Real {
-    let quotient = (i128::from(dividend.to_bits()) << 32).checked_div(divisor.to_bits().into());
-    Real::from_bits(quotient.unwrap_or(0).min(i64::MAX.into()) as i64)
+    let quotient = divide(i128::from(dividend.to_bits()) << 32, divisor.to_bits());
+    Real::from_bits(quotient.min(i64::MAX.into()) as i64)
 }

@@ -19,6 +19,7 @@ impl Extent {
     }
 
     /// Enlarges the extent to contain a point.
+    #[inline(never)]
     pub(crate) fn add_point(&mut self, point: Vec3<i64>) {
         self.low = self.low.zip(point, i64::min);
         self.high = self.high.zip(point, i64::max);
@@ -26,6 +27,7 @@ impl Extent {
 
     /// Enlarges the extent to contain a box. The arguments are the center of the box and half
     /// of its size.
+    #[inline(never)]
     pub(crate) fn add_box(&mut self, center: Vec3<Real>, half: Vec3<i64>) {
         let center = center.map(Real::to_bits);
         self.add_point(center.zip(half, |c, h| c - h));
@@ -34,6 +36,7 @@ impl Extent {
 
     /// Enlarges the extent to contain two horizontal circles. The values `y` are the heights
     /// of their centers above `origin`.
+    #[inline(never)]
     pub(crate) fn add_rings(&mut self, origin: Vec3<Real>, y: [Real; 2], radii: [i64; 2]) {
         for (y, radius) in y.into_iter().zip(radii) {
             let center = Vec3 {

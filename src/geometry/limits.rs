@@ -24,6 +24,7 @@ pub(crate) fn error<T>(
 }
 
 /// Checks that a number is at least `least` and at most `most`.
+#[inline(never)]
 pub(crate) fn range(
     item: SceneItem,
     field: &'static str,
@@ -38,6 +39,7 @@ pub(crate) fn range(
 }
 
 /// Checks the coordinates of a point or a vector.
+#[inline(never)]
 pub(crate) fn point(
     item: SceneItem,
     field: &'static str,
@@ -49,11 +51,13 @@ pub(crate) fn point(
 }
 
 /// Checks a size such as a radius.
+#[inline(never)]
 pub(crate) fn size(item: SceneItem, field: &'static str, size: Real) -> Result<(), SceneError> {
     range(item, field, size, [SMALLEST, FARTHEST])
 }
 
 /// Checks that the lower end of an interval is below the upper end.
+#[inline(never)]
 pub(crate) fn interval(
     item: SceneItem,
     field: &'static str,
@@ -70,6 +74,7 @@ pub(crate) fn interval(
 
 /// Checks that the magnitude of a size is at least 2^-18 in the prepared scene, which is 2^10
 /// units of a `Length`. Curved surfaces of a smaller size would not look round.
+#[inline(never)]
 pub(crate) fn resolvable_size(
     item: SceneItem,
     field: &'static str,

@@ -4,7 +4,7 @@ use fixed::types::U0F32;
 
 use super::extent::Extent;
 use super::point::NEAR;
-use crate::math::{Length, Real, Unit, Vec3, bits};
+use crate::math::{Length, Real, Unit, Vec3, bits, shift_rounded};
 use crate::scene::SceneProblem;
 
 /// Number of bits of a plane's offset. Offsets are below 2^48 units of 2^-28, which is 2^20
@@ -49,8 +49,9 @@ impl Normalization {
 
     /// Converts a distance from world units to prepared units, rounded. The argument is the raw
     /// bits of a [`Real`], and the result is the raw bits of a [`Length`].
+    #[inline(never)]
     pub(crate) fn length(&self, bits: i64) -> i64 {
-        shifted(bits.into(), self.exponent - 4) as i64
+        shift_rounded(bits.into(), self.exponent - 4) as i64
     }
 
     /// Converts a size from world units to prepared units, rounded.
@@ -61,23 +62,24 @@ impl Normalization {
     /// Converts a size from world units to prepared units and returns half of it, rounded. The
     /// argument is the raw bits of a [`Real`].
     pub(crate) fn half_size(&self, bits: i64) -> Length {
-        Length::from_bits(shifted(bits.into(), self.exponent - 5) as i32)
+        Length::from_bits(shift_rounded(bits.into(), self.exponent - 5) as i32)
     }
 
     /// Converts a size to prepared units, rounded. The result must be below 1.
     pub(crate) fn fraction(&self, size: Real) -> U0F32 {
-        let bits = shifted(size.to_bits().into(), self.exponent);
+        let bits = shift_rounded(size.to_bits().into(), self.exponent);
         U0F32::from_bits(bits.min(u32::MAX.into()) as u32)
     }
 
     /// Converts an area from world units to prepared units, rounded. The argument is the raw
     /// bits of a [`Real`], and the result is in Q56.
     pub(crate) fn area(&self, bits: i64) -> i64 {
-        shifted(bits.into(), 24 + 2 * self.exponent) as i64
+        shift_rounded(bits.into(), 24 + 2 * self.exponent) as i64
     }
 
     /// Converts a point from world units to prepared units, rounded. The result must be within
     /// ±8.
+    #[inline(never)]
     pub(crate) fn point(&self, point: Vec3<Real>) -> Vec3<Length> {
         point.zip(self.center, |p, c| {
             Length::from_bits(self.length(p.to_bits() - c) as i32)
@@ -96,7 +98,7 @@ impl Normalization {
     pub(crate) fn offset(&self, normal: Vec3<Unit>, point: Vec3<Real>) -> Option<i64> {
         let way = point.zip(self.center, |p, c| i128::from(p.to_bits() - c));
         let along = way.zip(normal, |w, n| w * i128::from(n.to_bits()));
-        let offset = shifted(along.x + along.y + along.z, self.exponent - 34);
+        let offset = shift_rounded(along.x + along.y + along.z, self.exponent - 34);
         (offset.abs() < 1 << OFFSET_BITS).then_some(offset as i64)
     }
 
@@ -110,14 +112,5 @@ impl Normalization {
     /// units of a [`Length`].
     pub(crate) fn smallest_size(&self) -> Real {
         Real::from_bits(1 << (14 - self.exponent).clamp(0, 62))
-    }
-}
-
-/// Returns `x * 2^shift`, rounded.
-fn shifted(x: i128, shift: i32) -> i128 {
-    if shift >= 0 {
-        x << shift
-    } else {
-        (x + (1 << (-shift - 1))) >> -shift
     }
 }

@@ -47,9 +47,11 @@ impl Color<Real> {
         Self::new(value, value, value)
     }
 
-    /// Creates a color from decimal literals: `Color::lit("0.16", "0.33", "0.68")`.
+    /// Parses a color: `Color::lit("0.16", "0.33", "0.68")`. Use the macro
+    /// [`color!`](crate::color!) unless the texts are in variables.
     ///
-    /// In a constant, a malformed literal is a compile error.
+    /// In a constant, a malformed literal is a compile error. Outside of constants, the function
+    /// links a parser of 42 KB, and panics if a text is malformed.
     pub const fn lit(r: &str, g: &str, b: &str) -> Self {
         Self::new(Real::lit(r), Real::lit(g), Real::lit(b))
     }

@@ -13,7 +13,8 @@
 
 /// A number that describes a scene: ±2^31 with a resolution of 2^-32.
 ///
-/// `Real::lit("0.25")` parses a decimal literal at compile time.
+/// The macro [`real!`](crate::real!) converts a decimal literal: `real!(0.25)`. `Real::lit` is for
+/// constants only. Elsewhere, it links a parser of 42 KB and can panic.
 pub type Real = fixed::types::I32F32;
 
 /// A position or distance in a prepared scene: ±8 with a resolution of 2^-28.
@@ -51,6 +52,7 @@ pub(crate) const NEAR_LIMIT: Length = Length::from_bits(i32::MAX - 1024);
 /// Converts `value / 2^exposure` to a factor, rounded half up.
 ///
 /// `value` must be from 0 to 2^exposure.
+#[inline(never)]
 pub(crate) fn factor(value: Real, exposure: u8) -> Factor {
     // The shift divides by 2^exposure and converts Q32 to Q15.
     let shift = 17 + u32::from(exposure);
@@ -60,6 +62,7 @@ pub(crate) fn factor(value: Real, exposure: u8) -> Factor {
 /// Converts `value / 2^exposure` to a radiance, rounded down.
 ///
 /// `value` must be from 0 to just below 4 * 2^exposure.
+#[inline(never)]
 pub(crate) fn radiance(value: Real, exposure: u8) -> Radiance {
     // The shift divides by 2^exposure and converts Q32 to Q30.
     Radiance::from_bits((value.to_bits() >> (2 + exposure)) as u32)

@@ -5,9 +5,9 @@ use crate::observer::{Observer, RayKind, ShapeKind};
 /// ```
 /// use embedded_graphics::prelude::*;
 /// use whitted::observer::Stats;
-/// use whitted::{Camera, Real, Renderer, Scene, SceneBuffer, Vec3};
+/// use whitted::{Camera, Renderer, Scene, SceneBuffer, real, vec3};
 ///
-/// let camera = Camera::new(Vec3::lit("0", "2", "8"), Vec3::lit("0", "1", "0"), Real::lit("33"));
+/// let camera = Camera::new(vec3!(0, 2, 8), vec3!(0, 1, 0), real!(33));
 /// let mut buffer = SceneBuffer::<1, 1, 1>::new();
 /// let scene = buffer.prepare(&Scene::new(camera))?;
 /// let mut renderer = Renderer::with_observer(&scene, Size::new(32, 24), Stats::default());

@@ -1,12 +1,11 @@
-use crate::math::{Color, Real};
+use crate::math::{Color, Real, multiply};
 use crate::scene;
 use crate::scene::{Background, Scene};
 
 /// Returns the reflected ambient light of a material: `ka * ia`.
+#[inline(never)]
 pub(super) fn ambient(material: &scene::Material, scene: &Scene<'_>) -> Color<Real> {
-    material
-        .ka
-        .zip(scene.ambient, |ka, ia| ka.saturating_mul(ia))
+    material.ka.zip(scene.ambient, multiply)
 }
 
 /// Returns the exposure of a scene. All light in the scene is divided by `2^exposure`. After
@@ -17,11 +16,7 @@ pub(super) fn exposure(scene: &Scene<'_>) -> u8 {
     /// leave room for rounding.
     const MOST: Real = Real::lit("3.99");
     let mut exponent = 0;
-    let mut fit = |color: Color<Real>, white: Real| {
-        while !color.all(|c| c.to_bits() >> exponent <= white.to_bits()) {
-            exponent += 1;
-        }
-    };
+    let mut fit = |color, white| fit(&mut exponent, color, white);
     for light in scene.lights {
         fit(light.diffuse, Real::ONE);
         fit(light.specular, Real::ONE);
@@ -36,8 +31,8 @@ pub(super) fn exposure(scene: &Scene<'_>) -> u8 {
     for material in scene.materials {
         let mut sum = ambient(material, scene).zip(material.le, Real::saturating_add);
         for light in scene.lights {
-            let diffuse = material.kd.zip(light.diffuse, |k, i| k * i);
-            let specular = material.ks.zip(light.specular, |k, i| k * i);
+            let diffuse = material.kd.zip(light.diffuse, multiply);
+            let specular = material.ks.zip(light.specular, multiply);
             sum = sum
                 .zip(diffuse, Real::saturating_add)
                 .zip(specular, Real::saturating_add);
@@ -45,4 +40,12 @@ pub(super) fn exposure(scene: &Scene<'_>) -> u8 {
         fit(sum, MOST);
     }
     exponent
+}
+
+/// Increases `exponent` until the color, divided by `2^exponent`, is at most `white` in each channel.
+#[inline(never)]
+fn fit(exponent: &mut u8, color: Color<Real>, white: Real) {
+    while !color.all(|c| c.to_bits() >> *exponent <= white.to_bits()) {
+        *exponent += 1;
+    }
 }

@@ -41,6 +41,7 @@ pub(super) fn texture(
 
 /// Returns the fractional part of `dividend / divisor` as `U0F32`, rounded down. The result is
 /// at least 0 and below 1.
+#[inline(never)]
 fn fraction(dividend: i64, divisor: i64) -> u32 {
     // The divisor is never 0, but the compiler cannot know this.
     let mut remainder = dividend.checked_rem_euclid(divisor).unwrap_or(0);

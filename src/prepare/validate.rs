@@ -13,6 +13,7 @@ use crate::scene::{
 /// background.
 const BRIGHTEST: Real = Real::lit("256");
 
+#[inline(never)]
 fn color(
     item: SceneItem,
     field: &'static str,

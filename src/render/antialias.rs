@@ -50,9 +50,9 @@ use pattern::{GRID, MAX_SIDE};
 /// use embedded_graphics::mock_display::MockDisplay;
 /// use embedded_graphics::{pixelcolor::Rgb888, prelude::*};
 /// use whitted::render::{AaSample, AntialiasedRenderer, SampleCount};
-/// use whitted::{Camera, Real, Scene, SceneBuffer, Vec3};
+/// use whitted::{Camera, Scene, SceneBuffer, real, vec3};
 ///
-/// let camera = Camera::new(Vec3::lit("0", "2", "8"), Vec3::lit("0", "1", "0"), Real::lit("33"));
+/// let camera = Camera::new(vec3!(0, 2, 8), vec3!(0, 1, 0), real!(33));
 /// let mut buffer = SceneBuffer::<1, 1, 1>::new();
 /// let scene = buffer.prepare(&Scene::new(camera)).unwrap();
 ///

@@ -19,7 +19,7 @@ use embedded_graphics_core::primitives::Rectangle;
 ///
 /// ```
 /// # use embedded_graphics::mock_display::MockDisplay;
-/// # use whitted::{Camera, Real, Scene, SceneBuffer, Vec3};
+/// # use whitted::{Camera, Scene, SceneBuffer, real, vec3};
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
 /// use whitted::Renderer;
 /// use whitted::render::DirtyLines;
@@ -30,7 +30,7 @@ use embedded_graphics_core::primitives::Rectangle;
 /// let mut line = [Rgb565::BLACK; SIZE.width as usize];
 ///
 /// # let mut display = MockDisplay::new();
-/// # let scene = Scene::new(Camera::new(Vec3::lit("0", "2", "8"), Vec3::lit("0", "1", "0"), Real::lit("33")));
+/// # let scene = Scene::new(Camera::new(vec3!(0, 2, 8), vec3!(0, 1, 0), real!(33)));
 /// # let mut buffer = SceneBuffer::<1, 1, 1>::new();
 /// # let scene = buffer.prepare(&scene).unwrap();
 /// // For each frame:

@@ -29,7 +29,7 @@ const COARSEST: u8 = 16;
 /// ```
 /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};
 /// # use embedded_graphics::primitives::Rectangle;
-/// # use whitted::{Camera, Real, Scene, SceneBuffer, Vec3};
+/// # use whitted::{Camera, Scene, SceneBuffer, real, vec3};
 /// # struct Watchdog(u32);
 /// # impl Watchdog { fn feed(&mut self) { self.0 += 1; } }
 /// # struct Button;
@@ -37,7 +37,7 @@ const COARSEST: u8 = 16;
 /// # let (mut watchdog, button) = (Watchdog(0), Button);
 /// # let mut display = MockDisplay::<Rgb565>::new();
 /// # display.set_allow_overdraw(true);
-/// # let scene = Scene::new(Camera::new(Vec3::lit("0", "2", "8"), Vec3::lit("0", "1", "0"), Real::lit("33")));
+/// # let scene = Scene::new(Camera::new(vec3!(0, 2, 8), vec3!(0, 1, 0), real!(33)));
 /// # let mut buffer = SceneBuffer::<1, 1, 1>::new();
 /// # let scene = buffer.prepare(&scene).unwrap();
 /// use core::ops::ControlFlow;

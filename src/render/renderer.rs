@@ -28,10 +28,10 @@ use crate::render::{DisplayColor, Output};
 /// ```
 /// use embedded_graphics::mock_display::MockDisplay;
 /// use embedded_graphics::{pixelcolor::Rgb888, prelude::*};
-/// use whitted::{Background, Camera, Color, Real, Renderer, Scene, SceneBuffer, Vec3};
+/// use whitted::{Background, Camera, Renderer, Scene, SceneBuffer, color, real, vec3};
 ///
-/// let camera = Camera::new(Vec3::lit("0", "2", "8"), Vec3::lit("0", "1", "0"), Real::lit("33"));
-/// let sky = Background::Solid(Color::lit("0", "0", "1"));
+/// let camera = Camera::new(vec3!(0, 2, 8), vec3!(0, 1, 0), real!(33));
+/// let sky = Background::Solid(color!(0, 0, 1));
 /// let mut buffer = SceneBuffer::<1, 1, 1>::new();
 /// let scene = buffer.prepare(&Scene { background: sky, ..Scene::new(camera) }).unwrap();
 ///

@@ -8,14 +8,14 @@ use crate::scene::{Camera, CapacityError, Light, Material, MaterialId, Object, S
 /// 144 bytes per object, 72 bytes per light and 168 bytes per material.
 ///
 /// ```
-/// use whitted::{Camera, Color, Light, Material, Object, Real, Vec3};
+/// use whitted::{Camera, Color, Light, Material, Object, Real, color, real, vec3};
 /// use whitted::scene::SceneBuilder;
 ///
-/// let camera = Camera::new(Vec3::lit("0", "2", "8"), Vec3::lit("0", "1", "0"), Real::lit("33"));
+/// let camera = Camera::new(vec3!(0, 2, 8), vec3!(0, 1, 0), real!(33));
 /// let mut builder = SceneBuilder::<4, 1, 2>::new(camera);
-/// let red = builder.material(Material { kd: Color::lit("0.6", "0.04", "0.03"), ..Material::BLACK })?;
-/// builder.light(Light::point(Vec3::lit("-6", "11", "7"), Color::gray(Real::ONE)))?;
-/// builder.object(Object::sphere(Vec3::lit("0", "1", "0"), Real::ONE, red))?;
+/// let red = builder.material(Material { kd: color!(0.6, 0.04, 0.03), ..Material::BLACK })?;
+/// builder.light(Light::point(vec3!(-6, 11, 7), Color::gray(Real::ONE)))?;
+/// builder.object(Object::sphere(vec3!(0, 1, 0), Real::ONE, red))?;
 /// builder.settings.max_depth = 2;
 /// assert_eq!(builder.scene().objects.len(), 1);
 /// # Ok::<(), whitted::SceneError>(())

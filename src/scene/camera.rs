@@ -38,11 +38,11 @@ impl Camera {
     /// factor of 1 ± 2^-28, so repeated orbits do not drift visibly.
     ///
     /// ```
-    /// use whitted::{Camera, Real, Vec3};
+    /// use whitted::{Camera, Real, real, vec3};
     ///
-    /// let camera = Camera::new(Vec3::lit("0", "1", "8"), Vec3::lit("0", "1", "0"), Real::lit("33"));
-    /// let from_the_right = camera.orbited(Real::lit("90"), Real::ZERO);
-    /// assert_eq!(from_the_right.eye, Vec3::lit("8", "1", "0"));
+    /// let camera = Camera::new(vec3!(0, 1, 8), vec3!(0, 1, 0), real!(33));
+    /// let from_the_right = camera.orbited(real!(90), Real::ZERO);
+    /// assert_eq!(from_the_right.eye, vec3!(8, 1, 0));
     /// ```
     pub fn orbited(self, yaw_deg: Real, pitch_deg: Real) -> Self {
         let offset = self.eye.zip(self.look_at, Real::saturating_sub);

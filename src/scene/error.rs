@@ -8,9 +8,9 @@ use crate::math::{Decimal, Real};
 ///
 /// ```
 /// use whitted::scene::{SceneItem, SceneProblem};
-/// use whitted::{Camera, Real, Scene, SceneBuffer, Vec3};
+/// use whitted::{Camera, Real, Scene, SceneBuffer, vec3};
 ///
-/// let camera = Camera::new(Vec3::lit("0", "2", "8"), Vec3::lit("0", "1", "0"), Real::ZERO);
+/// let camera = Camera::new(vec3!(0, 2, 8), vec3!(0, 1, 0), Real::ZERO);
 /// let error = SceneBuffer::<1, 1, 1>::new().prepare(&Scene::new(camera)).unwrap_err();
 /// assert_eq!(error.item, SceneItem::Camera);
 /// assert!(matches!(error.problem, SceneProblem::OutOfRange { .. }));

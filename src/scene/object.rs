@@ -23,12 +23,12 @@ impl Object {
     /// third of the radius of the sphere that it touches.
     ///
     /// ```
-    /// use whitted::{Camera, Material, MaterialId, Object, Real, Scene, SceneBuffer, Vec3};
+    /// use whitted::{Camera, Material, MaterialId, Object, Real, Scene, SceneBuffer, real, vec3};
     ///
-    /// let camera = Camera::new(Vec3::lit("0", "2", "8"), Vec3::lit("0", "0", "0"), Real::lit("33"));
+    /// let camera = Camera::new(vec3!(0, 2, 8), vec3!(0, 0, 0), real!(33));
     /// let scene = Scene {
     ///     materials: &[Material::BLACK],
-    ///     objects: &[Object::sphereflake(Vec3::lit("0", "0", "0"), Real::ONE, 6, MaterialId(0))],
+    ///     objects: &[Object::sphereflake(vec3!(0, 0, 0), Real::ONE, 6, MaterialId(0))],
     ///     ..Scene::new(camera)
     /// };
     /// let mut buffer = SceneBuffer::<1, 0, 1>::new(); // 3,257,437 spheres

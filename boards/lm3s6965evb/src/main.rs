@@ -22,7 +22,7 @@ use cortex_m_rt::entry;
 use embedded_graphics::{mono_font::ascii::FONT_5X8, prelude::*};
 use measure::{Checksum, Report};
 use whitted::render::{RenderProgress, Step};
-use whitted::{DecodeError, PreparedScene, Real, Renderer};
+use whitted::{DecodeError, PreparedScene, Real, Renderer, real};
 
 use board::Board;
 use buttons::Button;
@@ -33,7 +33,7 @@ use buttons::Button;
 include!(concat!(env!("OUT_DIR"), "/scenes.rs"));
 
 /// Orbit angle per button press, in degrees.
-const ORBIT_STEP: Real = Real::lit("15");
+const ORBIT_STEP: Real = real!(15);
 
 #[entry]
 fn main() -> ! {

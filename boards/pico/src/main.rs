@@ -21,7 +21,7 @@ use embedded_graphics::{mono_font::ascii::FONT_10X20, prelude::*};
 use embedded_hal::digital::OutputPin;
 use rp2040_hal::entry;
 use whitted::render::{RenderProgress, Step};
-use whitted::{DecodeError, PreparedScene, Real, Renderer};
+use whitted::{DecodeError, PreparedScene, Real, Renderer, real};
 
 use board::{Board, Event, LineBuffer};
 use buttons::Button;
@@ -29,7 +29,7 @@ use scenes::{Buffer, Scenes};
 use usb::SceneReceiver;
 
 /// Orbit angle per joystick press, in degrees.
-const ORBIT_STEP: Real = Real::lit("15");
+const ORBIT_STEP: Real = real!(15);
 
 #[entry]
 fn main() -> ! {

@@ -1,5 +1,5 @@
-use whitted::Real;
 use whitted::animation::{Animation, Interpolation, Keyframe, Target, Track};
+use whitted::{Real, real};
 
 /// Content of the table `[animation]` of a scene file. This type owns its lists, while an
 /// [`Animation`] borrows its lists.
@@ -40,8 +40,8 @@ impl FileAnimation {
                 target: Target::CameraOrbit,
                 interpolation: Interpolation::Linear,
                 keys: vec![
-                    Keyframe::angles("0", "0", "0"),
-                    Keyframe::angles("4", "360", "0"),
+                    Keyframe::angles(real!(0), real!(0), real!(0)),
+                    Keyframe::angles(real!(4), real!(360), real!(0)),
                 ],
             }],
         }

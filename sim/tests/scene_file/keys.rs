@@ -3,7 +3,7 @@
 use std::error::Error;
 
 use whitted::scene::{Axis, ClipBox, SpecularModel};
-use whitted::{Background, Color, Light, MaterialId, Real, Shape, Texture, Vec3};
+use whitted::{Background, Color, Light, MaterialId, Real, Shape, Texture, vec3};
 use whitted_sim::scene_file;
 
 use crate::real;
@@ -74,14 +74,14 @@ fn reads_every_key() -> Result<(), Box<dyn Error>> {
     assert_eq!(scene.ambient, color("0.5", "1", "2"));
     let (horizon, zenith) = (Color::gray(real("0.5")), color("0", "0", "1"));
     assert_eq!(scene.background, Background::Gradient { horizon, zenith });
-    assert_eq!(scene.camera.eye, Vec3::lit("1", "2", "3"));
-    assert_eq!(scene.camera.look_at, Vec3::lit("-0.5", "10", "1000.25"));
-    assert_eq!(scene.camera.up, Vec3::lit("0", "0", "1"));
+    assert_eq!(scene.camera.eye, vec3!(1, 2, 3));
+    assert_eq!(scene.camera.look_at, vec3!(-0.5, 10, 1000.25));
+    assert_eq!(scene.camera.up, vec3!(0, 0, 1));
     assert_eq!(scene.camera.fovy_deg, real("32"));
     let lights = [
-        Light::point(Vec3::lit("1", "2", "3"), color("1", "1", "0.5")),
+        Light::point(vec3!(1, 2, 3), color("1", "1", "0.5")),
         Light {
-            position: Vec3::lit("3", "2", "1"),
+            position: vec3!(3, 2, 1),
             diffuse: color("1", "0", "0"),
             specular: color("0", "1", "0"),
         },
@@ -126,7 +126,7 @@ fn keeps_the_order_of_objects() -> Result<(), Box<dyn Error>> {
         y: None,
         z: Some([real("-4"), real("4")]),
     };
-    let (normal, point) = (Vec3::lit("0", "1", "0"), Vec3::lit("0", "-1", "0"));
+    let (normal, point) = (vec3!(0, 1, 0), vec3!(0, -1, 0));
     assert_eq!(
         floor.shape,
         Shape::Plane {
@@ -141,7 +141,7 @@ fn keeps_the_order_of_objects() -> Result<(), Box<dyn Error>> {
         materials: [MaterialId(1), MaterialId(0)],
     };
     assert_eq!(floor.texture, checker);
-    let (center, radius) = (Vec3::lit("0", "1", "0"), real("0.5"));
+    let (center, radius) = (vec3!(0, 1, 0), real("0.5"));
     assert_eq!(ball.shape, Shape::Sphere { center, radius });
     assert_eq!(ball.texture, Texture::Uniform(MaterialId(1)));
     Ok(())

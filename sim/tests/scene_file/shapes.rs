@@ -3,7 +3,7 @@
 use std::error::Error;
 
 use whitted::scene::{SceneItem, SceneProblem};
-use whitted::{SceneError, Shape, Vec3};
+use whitted::{SceneError, Shape, Vec3, vec3};
 use whitted_sim::scene_file;
 
 use crate::real;
@@ -77,7 +77,7 @@ material = "a"
 
 #[test]
 fn reads_every_shape() -> Result<(), Box<dyn Error>> {
-    let at = Vec3::lit("1", "2", "3");
+    let at = vec3!(1, 2, 3);
     let [four, five, six, seven] = ["4", "5", "6", "7"].map(real);
     let flake = |ratio, frame| Shape::Sphereflake {
         center: at,
@@ -97,11 +97,7 @@ fn reads_every_shape() -> Result<(), Box<dyn Error>> {
         height,
         y,
     };
-    let turned = [
-        Vec3::lit("0", "1", "0"),
-        Vec3::lit("0", "0", "1"),
-        Vec3::lit("1", "0", "0"),
-    ];
+    let turned = [vec3!(0, 1, 0), vec3!(0, 0, 1), vec3!(1, 0, 0)];
     let expected = [
         Shape::Ellipsoid {
             center: at,

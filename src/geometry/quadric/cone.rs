@@ -9,7 +9,9 @@ use super::quadratic::{Quadratic, moment, scaled_by_axis};
 use super::ratio::unit_ratio;
 use crate::archive;
 use crate::archive::{Archive, Fields};
-use crate::math::{Length, Product, Real, Square, Unit, Vec3, quotient, round_length};
+use crate::math::{
+    Length, Product, Real, Square, Unit, Vec3, divide, multiply, quotient, round_length,
+};
 use crate::observer::ShapeKind;
 use crate::scene::{SceneError, SceneItem};
 
@@ -28,14 +30,14 @@ impl Authored {
     /// Returns the radius of the cone at the height `y`, as the raw bits of a [`Real`]. The radius
     /// is negative beyond the apex. The caller ensures that the radius is in the range of a
     /// [`Real`].
+    #[inline(never)]
     fn radius_at(&self, y: Real) -> i64 {
         let product = i128::from(self.radius.to_bits()) * i128::from((self.height - y).to_bits());
-        product
-            .checked_div(self.height.to_bits().into())
-            .unwrap_or(0) as i64
+        divide(product, self.height.to_bits()) as i64
     }
 
     /// Returns the prepared cone. The origin of its coordinates is at the height `middle`.
+    #[inline(never)]
     fn form(&self, middle: Real, normalization: &Normalization) -> Cone {
         let (radius, height) = (self.radius, self.height);
         let half = Unit::ONE / 2;
@@ -69,7 +71,7 @@ impl AuthoredShape for Authored {
         limits::point(item, "origin", origin)?;
         limits::size(item, "radius", radius)?;
         let least = (radius >> STEEPEST).max(SMALLEST);
-        let most = radius.saturating_mul(Real::ONE << STEEPEST).min(FARTHEST);
+        let most = radius.min(FARTHEST >> STEEPEST) << STEEPEST;
         let heights = if height < 0 {
             [-most, -least]
         } else {
@@ -80,8 +82,8 @@ impl AuthoredShape for Authored {
         limits::interval(item, "y", y)?;
         // The clamp is the interval of y. At both of its ends, the radius of the cone must be at
         // most the largest coordinate.
-        let steepness = height.abs().checked_div(radius).unwrap_or(Real::ZERO);
-        let reach = FARTHEST.saturating_mul(steepness).min(FARTHEST);
+        let steepness = divide(i128::from(height.to_bits().abs()) << 32, radius.to_bits());
+        let reach = multiply(FARTHEST, Real::from_bits(steepness as i64)).min(FARTHEST);
         let within = [height - reach, height + reach];
         y.into_iter()
             .try_for_each(|y| limits::range(item, "y", y, within))

@@ -13,6 +13,7 @@ impl<F> Placed<F> {
     ///
     /// The center of the quadric is put in the middle of the interval, so an interval far from
     /// `origin` loses no precision.
+    #[inline(never)]
     pub(super) fn clamped(
         origin: Vec3<Real>,
         y: [Real; 2],

@@ -5,7 +5,7 @@ use super::super::limits;
 use super::super::normalization::Normalization;
 use super::super::primitive::AuthoredShape;
 use super::parameters::{MAX_DEPTH, Sphereflake, SphereflakeParams, bounding_radius};
-use crate::math::{Real, Unit, Vec3, direction};
+use crate::math::{Real, Unit, Vec3, direction, multiply};
 use crate::scene::{SceneError, SceneItem, SceneProblem};
 
 /// A sphereflake in world units.
@@ -25,6 +25,7 @@ impl Authored {
 
     /// Checks that the smallest spheres of the flake are large enough for the resolution of the
     /// scene.
+    #[inline(never)]
     fn check_smallest_spheres(
         &self,
         normalization: &Normalization,
@@ -94,15 +95,12 @@ impl AuthoredShape for Authored {
 
 /// Returns the axes u and v of a frame, corrected to be exactly orthonormal. Returns `None` if the
 /// three rows of the frame are not nearly orthonormal or not right-handed.
+#[inline(never)]
 fn orthonormal([u, v, w]: [Vec3<Real>; 3]) -> Option<[Vec3<Unit>; 2]> {
     /// Tolerance for rows that are written with three digits.
     const MARGIN: Real = Real::lit("0.001");
-    let product = |a: Vec3<Real>, b: Vec3<Real>| {
-        let sum = a.zip(b, Real::saturating_mul);
-        sum.x.saturating_add(sum.y).saturating_add(sum.z)
-    };
-    let is_unit = |v| (product(v, v).saturating_sub(Real::ONE)).abs() < 2 * MARGIN;
-    let are_orthogonal = |a, b| product(a, b).abs() < MARGIN;
+    let is_unit = |v| (dot(v, v).saturating_sub(Real::ONE)).abs() < 2 * MARGIN;
+    let are_orthogonal = |a, b| dot(a, b).abs() < MARGIN;
     if ![u, v, w].into_iter().all(is_unit) || !are_orthogonal(u, v) {
         return None;
     }
@@ -115,4 +113,10 @@ fn orthonormal([u, v, w]: [Vec3<Real>; 3]) -> Option<[Vec3<Unit>; 2]> {
         return None;
     }
     Some([u, direction(exact_w.cross(u))?])
+}
+
+#[inline(never)]
+fn dot(a: Vec3<Real>, b: Vec3<Real>) -> Real {
+    let sum = a.zip(b, multiply);
+    sum.x.saturating_add(sum.y).saturating_add(sum.z)
 }

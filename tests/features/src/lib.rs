@@ -6,35 +6,28 @@ use whitted::render::{DisplayColor, Output};
 use whitted::scene::ClipBox;
 use whitted::{
     Camera, Color, Light, Material, MaterialId, Object, PreparedScene, Real, Renderer, Scene,
-    Shape, Texture, Vec3,
+    Shape, Texture, Vec3, color, real, vec3,
 };
 
 const RED: Material = Material {
-    kd: Color::lit("0.6", "0.1", "0.05"),
-    ks: Color::lit("0.4", "0.4", "0.4"),
-    shininess: Real::lit("30"),
+    kd: color!(0.6, 0.1, 0.05),
+    ks: color!(0.4, 0.4, 0.4),
+    shininess: real!(30),
     ..Material::BLACK
 };
 const MIRROR: Material = Material {
-    kr: Color::lit("0.8", "0.8", "0.8"),
+    kr: color!(0.8, 0.8, 0.8),
     ..Material::BLACK
 };
 const GLASS: Material = Material {
-    kt: Color::lit("0.9", "0.9", "0.9"),
-    ior: Real::lit("1.5"),
+    kt: color!(0.9, 0.9, 0.9),
+    ior: real!(1.5),
     ..Material::BLACK
 };
 
-const CAMERA: Camera = Camera::new(
-    Vec3::lit("0", "2", "8"),
-    Vec3::lit("0", "1", "0"),
-    Real::lit("33"),
-);
-const LIGHTS: &[Light] = &[Light::point(
-    Vec3::lit("-6", "11", "7"),
-    Color::gray(Real::ONE),
-)];
-const CENTER: Vec3<Real> = Vec3::lit("0", "1", "0");
+const CAMERA: Camera = Camera::new(vec3!(0, 2, 8), vec3!(0, 1, 0), real!(33));
+const LIGHTS: &[Light] = &[Light::point(vec3!(-6, 11, 7), Color::gray(Real::ONE))];
+const CENTER: Vec3<Real> = vec3!(0, 1, 0);
 
 const fn scene(objects: &'static [Object], materials: &'static [Material]) -> Scene<'static> {
     Scene {
@@ -56,13 +49,13 @@ const fn object(shape: Shape) -> Object {
 pub static SPHERES_AND_PLANES: Scene = scene(
     &[
         Object::sphere(CENTER, Real::ONE, MaterialId(0)),
-        Object::sphere(Vec3::lit("2", "1", "-1"), Real::ONE, MaterialId(1)),
+        Object::sphere(vec3!(2, 1, -1), Real::ONE, MaterialId(1)),
         Object::floor(Real::ZERO, Texture::Uniform(MaterialId(0))),
         object(Shape::Plane {
-            normal: Vec3::lit("0", "0", "1"),
-            point: Vec3::lit("0", "0", "-3"),
+            normal: vec3!(0, 0, 1),
+            point: vec3!(0, 0, -3),
             bounds: ClipBox {
-                x: Some([Real::lit("-2"), Real::lit("3")]),
+                x: Some([real!(-2), real!(3)]),
                 ..ClipBox::NONE
             },
         }),
@@ -80,7 +73,7 @@ pub static GLASS_SPHERE: Scene = scene(
 pub static ELLIPSOID: Scene = scene(
     &[object(Shape::Ellipsoid {
         center: CENTER,
-        radii: Vec3::lit("1", "0.5", "1"),
+        radii: vec3!(1, 0.5, 1),
     })],
     &[RED],
 );

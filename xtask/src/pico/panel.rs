@@ -6,7 +6,7 @@ use anyhow::{Result, bail};
 use display_stream::{Panel, Picture};
 use embedded_graphics::mono_font::ascii::FONT_10X20;
 use embedded_graphics_core::geometry::Size;
-use whitted::{PreparedScene, Real, Renderer};
+use whitted::{PreparedScene, Real, Renderer, real};
 use whitted_sim::scene_file::{self, Buffer};
 
 /// Display of the Pico. It is mounted rotated by 90 degrees.
@@ -18,7 +18,7 @@ pub(super) const PANEL: Panel = Panel {
 pub(super) const SIZE: Size = Size::new(240, 240);
 
 /// Angle by which a button rotates the camera, in degrees.
-const STEP: Real = Real::lit("15");
+const STEP: Real = real!(15);
 
 /// Draws a scene on the host.
 pub(super) fn draw_on_host(scene: &Path) -> Result<Picture> {

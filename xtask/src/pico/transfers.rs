@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, ensure};
 use scene_serial::{frame, frame_len};
-use whitted::{Camera, Material, MaterialId, Object, Real, Scene, SceneBuffer, Vec3};
+use whitted::{Camera, Material, MaterialId, Object, Real, Scene, SceneBuffer, real, vec3};
 use whitted_sim::scene_file;
 
 use super::port::Port;
@@ -75,9 +75,9 @@ fn framed(scene: &[u8]) -> Result<Vec<u8>> {
 
 /// Returns a compiled scene with one sphere more than the firmware can store.
 fn too_many_spheres() -> Result<Vec<u8>> {
-    let origin = Vec3::lit("0", "0", "0");
+    let origin = vec3!(0, 0, 0);
     let objects = [Object::sphere(origin, Real::ONE, MaterialId(0)); 65];
-    let camera = Camera::new(Vec3::lit("0", "2", "8"), origin, Real::lit("33"));
+    let camera = Camera::new(vec3!(0, 2, 8), origin, real!(33));
     let mut buffer = Box::new(SceneBuffer::<65, 1, 1>::new());
     let scene = buffer.prepare(&Scene {
         materials: &[Material::BLACK],

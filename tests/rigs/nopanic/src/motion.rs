@@ -2,8 +2,8 @@
 
 use core::hint::black_box;
 
-use whitted::Real;
 use whitted::animation::{AnimatedScene, Animation, Interpolation, Keyframe, Target, Track};
+use whitted::{Real, real, vec3};
 
 use crate::scenes::{Buffer, SCENE, number};
 use crate::{displays, text};
@@ -17,9 +17,9 @@ static ANIMATION: Animation = Animation {
         target: Target::CameraOrbit,
         interpolation: Interpolation::Smooth,
         keys: &[
-            Keyframe::number("0", "0"),
-            Keyframe::angles("0", "0", "0"),
-            Keyframe::vector("0", "0", "0", "0"),
+            Keyframe::number(real!(0), real!(0)),
+            Keyframe::angles(real!(0), real!(0), real!(0)),
+            Keyframe::vector(real!(0), vec3!(0, 0, 0)),
         ],
     }],
 };

@@ -1,4 +1,4 @@
-use whitted::{Camera, PreparedScene, Real};
+use whitted::{Camera, PreparedScene, Real, real, vec3};
 use whitted_sim::scene_file::Buffer;
 
 use crate::args::Quality;
@@ -37,7 +37,7 @@ impl Viewpoint {
     fn moved(self, camera: Camera) -> Camera {
         let [yaw, pitch] = [self.yaw, self.pitch].map(Real::from);
         let mut camera = camera.orbited(yaw, pitch);
-        let (tenth, narrowest, widest) = (Real::lit("0.1"), Real::ONE, Real::lit("170"));
+        let (tenth, narrowest, widest) = (real!(0.1), Real::ONE, real!(170));
         for _ in 0..self.zoom.abs() {
             let step = camera.fovy_deg * tenth * Real::from(-self.zoom.signum());
             camera.fovy_deg = (camera.fovy_deg + step).clamp(narrowest, widest);
@@ -53,13 +53,13 @@ mod tests {
 
     #[test]
     fn orbits_and_zooms() {
-        let eye = Vec3::lit("0", "1", "8");
-        let camera = Camera::new(eye, Vec3::lit("0", "1", "0"), Real::lit("50"));
+        let eye = vec3!(0, 1, 8);
+        let camera = Camera::new(eye, vec3!(0, 1, 0), real!(50));
         let right = Viewpoint {
             yaw: 90,
             ..Viewpoint::default()
         };
-        assert_eq!(right.moved(camera).eye, Vec3::lit("8", "1", "0"));
+        assert_eq!(right.moved(camera).eye, vec3!(8, 1, 0));
         let zooms = |zoom| Viewpoint {
             zoom,
             ..Viewpoint::default()
