@@ -5,15 +5,11 @@
 use whitted::scene::{Axis, ClipBox, SceneItem};
 use whitted::{
     Background, Camera, Color, Light, Material, MaterialId, Object, Real, Scene, SceneBuffer,
-    SceneError, Shape, Texture, Vec3,
+    SceneError, Shape, Texture, Vec3, color, real, vec3,
 };
 
-const CAMERA: Camera = Camera::new(
-    Vec3::lit("0", "2", "8"),
-    Vec3::lit("0", "1", "0"),
-    Real::lit("33"),
-);
-const SPHERE: Object = Object::sphere(Vec3::lit("0", "1", "0"), Real::ONE, MaterialId(0));
+const CAMERA: Camera = Camera::new(vec3!(0, 2, 8), vec3!(0, 1, 0), real!(33));
+const SPHERE: Object = Object::sphere(vec3!(0, 1, 0), Real::ONE, MaterialId(0));
 
 /// Returns the error of a scene with this camera, light, material and second object.
 fn error(camera: Camera, light: Light, material: Material, object: Object) -> SceneError {
@@ -27,7 +23,7 @@ fn error(camera: Camera, light: Light, material: Material, object: Object) -> Sc
 }
 
 fn light() -> Light {
-    Light::point(Vec3::lit("-6", "11", "7"), Color::gray(Real::ONE))
+    Light::point(vec3!(-6, 11, 7), Color::gray(Real::ONE))
 }
 
 fn camera_error(camera: Camera) -> String {
@@ -55,7 +51,7 @@ fn setting_error(scene: Scene<'_>) -> String {
 
 #[test]
 fn rejects_invalid_cameras() {
-    let far = Real::lit("16777217");
+    let far = real!(16777217);
     assert_eq!(
         camera_error(Camera {
             eye: Vec3::new(far, Real::ZERO, Real::ZERO),
@@ -72,14 +68,14 @@ fn rejects_invalid_cameras() {
     );
     assert_eq!(
         camera_error(Camera {
-            up: Vec3::lit("0", "0", "0"),
+            up: vec3!(0, 0, 0),
             ..CAMERA
         }),
         "camera: up must not be zero"
     );
     assert_eq!(
         camera_error(Camera {
-            up: Vec3::lit("0", "1", "8"),
+            up: vec3!(0, 1, 8),
             ..CAMERA
         }),
         "camera: up must not be parallel to the line of sight"
@@ -98,7 +94,7 @@ fn rejects_invalid_cameras() {
 
 #[test]
 fn rejects_invalid_lights() {
-    let bright = Color::gray(Real::lit("257"));
+    let bright = Color::gray(real!(257));
     assert_eq!(
         light_error(Light {
             diffuse: bright,
@@ -106,7 +102,7 @@ fn rejects_invalid_lights() {
         }),
         "light 0: diffuse must be from 0 to 256"
     );
-    let negative = Color::lit("0", "-0.1", "0");
+    let negative = color!(0, -0.1, 0);
     assert_eq!(
         light_error(Light {
             specular: negative,
@@ -119,7 +115,7 @@ fn rejects_invalid_lights() {
 #[test]
 fn rejects_invalid_materials() {
     let black = Material::BLACK;
-    let over = Color::lit("0.5", "0.5", "1.01");
+    let over = color!(0.5, 0.5, 1.01);
     for (field, material) in [
         ("ka", Material { ka: over, ..black }),
         ("kd", Material { kd: over, ..black }),
@@ -132,10 +128,10 @@ fn rejects_invalid_materials() {
             format!("material 0: {field} must be from 0 to 1")
         );
     }
-    let gray = Color::gray(Real::lit("0.5"));
+    let gray = Color::gray(real!(0.5));
     let dull = Material {
         ks: gray,
-        shininess: Real::lit("0.9"),
+        shininess: real!(0.9),
         ..Material::BLACK
     };
     assert_eq!(
@@ -144,7 +140,7 @@ fn rejects_invalid_materials() {
     );
     let dense = Material {
         kt: gray,
-        ior: Real::lit("4.1"),
+        ior: real!(4.1),
         ..Material::BLACK
     };
     assert_eq!(material_error(dense), "material 0: ior must be from 1 to 4");
@@ -163,8 +159,7 @@ fn rejects_invalid_materials() {
 
 #[test]
 fn rejects_invalid_spheres() {
-    let sphere =
-        |radius: &str| Object::sphere(Vec3::lit("0", "1", "0"), Real::lit(radius), MaterialId(0));
+    let sphere = |radius: &str| Object::sphere(vec3!(0, 1, 0), Real::lit(radius), MaterialId(0));
     assert!(object_error(sphere("0")).starts_with("object 1: radius must be from 0.00000"));
     assert!(object_error(sphere("-1")).starts_with("object 1: radius must be from 0.00000"));
     // The scene is about ten units across, so the least radius is about 0.00003.
@@ -193,7 +188,7 @@ fn rejects_invalid_ellipsoids() {
     let ellipsoid = |radii| {
         let [x, y, z] = real(radii);
         shape_error(Shape::Ellipsoid {
-            center: Vec3::lit("0", "0", "0"),
+            center: vec3!(0, 0, 0),
             radii: Vec3::new(x, y, z),
         })
     };
@@ -218,7 +213,7 @@ fn rejects_invalid_ellipsoids() {
 fn rejects_invalid_cylinders() {
     let cylinder = |radius, y: Option<[&str; 2]>| {
         shape_error(Shape::Cylinder {
-            origin: Vec3::lit("0", "0", "0"),
+            origin: vec3!(0, 0, 0),
             radius: Real::lit(radius),
             y: y.map(real),
         })
@@ -243,7 +238,7 @@ fn rejects_invalid_cylinders() {
 fn rejects_invalid_cones() {
     let cone = |radius, height, y: Option<[&str; 2]>| {
         shape_error(Shape::Cone {
-            origin: Vec3::lit("0", "0", "0"),
+            origin: vec3!(0, 0, 0),
             radius: Real::lit(radius),
             height: Real::lit(height),
             y: y.map(real),
@@ -290,7 +285,7 @@ fn rejects_invalid_cones() {
 fn rejects_invalid_paraboloids() {
     let paraboloid = |y| {
         shape_error(Shape::Paraboloid {
-            origin: Vec3::lit("0", "0", "0"),
+            origin: vec3!(0, 0, 0),
             y: real(y),
         })
     };
@@ -314,7 +309,7 @@ fn rejects_invalid_paraboloids() {
 fn rejects_invalid_sphereflakes() {
     let flake = |radius, depth, ratio, frame| {
         shape_error(Shape::Sphereflake {
-            center: Vec3::lit("0", "0", "0"),
+            center: vec3!(0, 0, 0),
             radius: Real::lit(radius),
             depth,
             ratio: Real::lit(ratio),
@@ -341,8 +336,8 @@ fn rejects_invalid_sphereflakes() {
         );
     }
     let [u, v, w] = Shape::FLAKE_FRAME;
-    let long = Vec3::lit("1.1", "0", "0");
-    let slanted = Vec3::lit("0.1", "0", "-0.995");
+    let long = vec3!(1.1, 0, 0);
+    let slanted = vec3!(0.1, 0, -0.995);
     for frame in [
         [v, u, w],
         [u, -v, w],
@@ -362,14 +357,14 @@ fn rejects_invalid_planes_and_checkers() {
     let plane = |normal, bounds| Object {
         shape: Shape::Plane {
             normal,
-            point: Vec3::lit("0", "0", "0"),
+            point: vec3!(0, 0, 0),
             bounds,
         },
         texture: Texture::Uniform(MaterialId(0)),
     };
-    let up = Vec3::lit("0", "1", "0");
+    let up = vec3!(0, 1, 0);
     assert_eq!(
-        object_error(plane(Vec3::lit("0", "0", "0"), ClipBox::NONE)),
+        object_error(plane(vec3!(0, 0, 0), ClipBox::NONE)),
         "object 1: normal must not be zero"
     );
     let empty = ClipBox {
@@ -410,12 +405,12 @@ fn rejects_invalid_settings() {
     );
     assert_eq!(
         setting_error(Scene {
-            min_weight: Real::lit("1.1"),
+            min_weight: real!(1.1),
             ..scene
         }),
         "scene: min_weight must be from 0 to 1"
     );
-    let dark = Color::gray(Real::lit("-1"));
+    let dark = Color::gray(real!(-1));
     assert_eq!(
         setting_error(Scene {
             ambient: dark,
@@ -476,4 +471,18 @@ fn rejects_lists_longer_than_16_bit_indices() {
             too_long("objects", capacity)
         );
     }
+}
+
+#[test]
+fn debug_output_of_a_prepared_scene_is_one_line() {
+    let scene = Scene {
+        materials: &[Material::BLACK],
+        objects: &[SPHERE],
+        ..Scene::new(CAMERA)
+    };
+    let mut buffer = SceneBuffer::<2, 2, 2>::new();
+    let prepared = buffer.prepare(&scene).unwrap();
+    let text = "PreparedScene { objects: 1, lights: 0, materials: 1 }";
+    assert_eq!(format!("{prepared:?}"), text);
+    assert_eq!(format!("{prepared:#?}"), text);
 }

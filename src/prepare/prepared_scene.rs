@@ -1,3 +1,5 @@
+use core::fmt;
+
 use heapless::VecView;
 
 use super::light::Light;
@@ -38,7 +40,7 @@ pub(crate) struct SceneLists<'b> {
 
 /// A scene that is ready to be rendered, in the memory of a
 /// [`SceneBuffer`](crate::SceneBuffer).
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct PreparedScene<'b> {
     pub(crate) settings: Settings,
     pub(crate) objects: &'b [Object],
@@ -53,6 +55,21 @@ pub struct PreparedScene<'b> {
     /// Cones around the bounded objects. The cones that start at the first light come first,
     /// then those of the second light, and so on.
     light_cones: &'b [LightCone],
+}
+
+/// Writes one line with the numbers of objects, lights and materials.
+impl fmt::Debug for PreparedScene<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let SceneCounts {
+            objects,
+            lights,
+            materials,
+        } = self.counts();
+        write!(
+            f,
+            "PreparedScene {{ objects: {objects}, lights: {lights}, materials: {materials} }}"
+        )
+    }
 }
 
 impl<'b> PreparedScene<'b> {
@@ -118,18 +135,18 @@ impl<'b> PreparedScene<'b> {
     /// away from the center.
     ///
     /// ```
-    /// use whitted::{Camera, Material, MaterialId, Object, Real, Scene, SceneBuffer, Vec3};
+    /// use whitted::{Camera, Material, MaterialId, Object, Real, Scene, SceneBuffer, real, vec3};
     ///
-    /// let camera = Camera::new(Vec3::lit("0", "2", "8"), Vec3::lit("0", "1", "0"), Real::lit("33"));
+    /// let camera = Camera::new(vec3!(0, 2, 8), vec3!(0, 1, 0), real!(33));
     /// let scene = Scene {
     ///     materials: &[Material::BLACK],
-    ///     objects: &[Object::sphere(Vec3::lit("0", "1", "0"), Real::ONE, MaterialId(0))],
+    ///     objects: &[Object::sphere(vec3!(0, 1, 0), Real::ONE, MaterialId(0))],
     ///     ..Scene::new(camera)
     /// };
     /// let mut buffer = SceneBuffer::<8, 2, 8>::new();
     /// let mut scene = buffer.prepare(&scene)?;
     /// for _ in 0..36 {
-    ///     scene.set_camera(&scene.camera().orbited(Real::lit("10"), Real::ZERO))?;
+    ///     scene.set_camera(&scene.camera().orbited(real!(10), Real::ZERO))?;
     ///     // Renderer::new(&scene, display.size()).draw(&mut display)
     /// }
     /// # Ok::<(), whitted::SceneError>(())

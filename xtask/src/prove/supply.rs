@@ -1,17 +1,20 @@
 //! Checks the dependencies and the package to publish.
 
-use std::iter;
+use std::{fs, iter};
 
 use anyhow::{Result, ensure};
 
 use crate::board;
 use crate::command::{cargo, cargo_of, run};
 use crate::firmware::V6M;
-use crate::root;
 use crate::tools::require;
+use crate::{root, scratch_dir};
 
 /// Oldest supported toolchain. This is the `rust-version` in Cargo.toml.
 const OLDEST: &str = "+1.89";
+
+/// Oldest version of the crate `fixed` that Cargo.toml allows. It is the first with `lit`.
+const OLDEST_FIXED: &str = "1.22.0";
 
 pub(super) fn check() -> Result<()> {
     require(&["cargo", "deny"], "cargo install cargo-deny")?;
@@ -39,7 +42,30 @@ pub(super) fn check() -> Result<()> {
     run(package.args(["--package", "long-multiply", "--package", "whitted"]))?;
 
     require(&["cargo", OLDEST], "rustup toolchain install 1.89")?;
-    run(cargo_of(OLDEST, "oldest").args(["check", "--quiet", "--package", "whitted"]))
+    run(cargo_of(OLDEST, "oldest").args(["check", "--quiet", "--package", "whitted"]))?;
+    range_of_fixed()
+}
+
+/// Checks that a program can use the library with the oldest and the newest version of `fixed` that
+/// Cargo.toml allows. `Real` is a type of that crate, so the program and the library must use the
+/// same version.
+fn range_of_fixed() -> Result<()> {
+    let folder = scratch_dir()?.join("fixed");
+    fs::create_dir_all(folder.join("src"))?;
+    fs::write(folder.join("src/lib.rs"), "#![no_std]")?;
+    let whitted = root().display();
+    let manifest = format!(
+        "[package]\nname = \"user\"\nedition = \"2024\"\n\
+         [dependencies]\nwhitted = {{ path = '{whitted}' }}\n[workspace]\n"
+    );
+    fs::write(folder.join("Cargo.toml"), manifest)?;
+    for version in [&["--precise", OLDEST_FIXED][..], &[]] {
+        let mut update = cargo();
+        update.current_dir(&folder).args(["update", "--quiet"]);
+        run(update.args(["--package", "fixed"]).args(version))?;
+        run(cargo().current_dir(&folder).args(["check", "--quiet"]))?;
+    }
+    Ok(())
 }
 
 /// Returns an error if the library depends on more than one version of the same crate.
