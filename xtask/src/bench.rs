@@ -1,5 +1,6 @@
 //! Draws pictures in QEMU, in fixed point and in floating point, and counts the instructions.
 
+mod choices;
 mod count;
 mod flash;
 mod page;
@@ -12,6 +13,7 @@ use crate::budget::{Budget, Counts};
 use crate::core::Core;
 use crate::firmware::LM3S6965EVB;
 use crate::size::usage;
+pub use choices::check as check_choices;
 use count::count;
 use flash::Flash;
 use subject::{IN_BUDGET, SUBJECTS};
@@ -40,7 +42,21 @@ pub fn write() -> Result<()> {
     page::replace("flash", &page::flash(&rows, &flash?)?)?;
     let mut boards = board::flash()?;
     boards.push((LM3S6965EVB.package, usage(&LM3S6965EVB.build(None)?)?));
-    page::replace("boards", &page::boards(&boards)?)
+    page::replace("boards", &page::boards(&boards)?)?;
+    page::replace_in(
+        page::FLASH,
+        "choices",
+        &page::choices(&choices::measure()?)?,
+    )
+}
+
+/// Measures what each choice of a program costs in flash. Writes the table of docs/flash.md.
+pub fn write_choices() -> Result<()> {
+    page::replace_in(
+        page::FLASH,
+        "choices",
+        &page::choices(&choices::measure()?)?,
+    )
 }
 
 /// Returns an error if a picture takes more instructions than its budget.
@@ -53,12 +69,19 @@ pub fn bless() -> Result<()> {
     BUDGET.bless(&counts()?)
 }
 
-/// Counts the instructions of three small pictures on the M0, M3 and M4F.
+/// Counts the instructions of three small pictures on the M0, M3 and M4F, and the flash of the
+/// programs of the rig `choices` on the M3.
 fn counts() -> Result<Counts> {
+    let choices = choices::measure()?;
+    let [_, m3] = choices::CORES;
+    let flash = choices
+        .iter()
+        .map(|row| (format!("flash {} {m3}", row.program), row.flash[1]));
     let rows = count(&IN_BUDGET, &[Core::M0, Core::M3, Core::M4f], false)?;
     let name = |row: &count::Row| format!("{} {}", row.subject, row.core);
     Ok(rows
         .iter()
         .map(|row| (name(row), row.instructions))
+        .chain(flash)
         .collect())
 }

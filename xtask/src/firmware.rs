@@ -28,8 +28,10 @@ pub(crate) const PROFILE: &str = "firmware";
 /// A firmware package of the root workspace, and the target for which it is built.
 #[derive(Clone, Copy, Debug)]
 pub struct Firmware {
-    /// Name of both the package and its program.
+    /// Name of the package.
     pub package: &'static str,
+    /// Name of the program.
+    pub program: &'static str,
     /// Target triple.
     pub target: &'static str,
     /// True if the package is built with its default features.
@@ -40,10 +42,12 @@ pub struct Firmware {
 pub const LM3S6965EVB: Firmware = Firmware::new("lm3s6965evb", V7M);
 
 impl Firmware {
-    /// Creates the value for a package with its default features.
+    /// Creates the value for a package with its default features. The program has the name of the
+    /// package.
     pub const fn new(package: &'static str, target: &'static str) -> Self {
         Self {
             package,
+            program: package,
             target,
             defaults: true,
         }
@@ -55,18 +59,19 @@ impl Firmware {
     pub fn build(self, scene: Option<&Path>) -> Result<PathBuf> {
         let Self {
             package,
+            program,
             target,
             defaults,
         } = self;
         let mut build = cargo();
         build.args(["build", "--quiet", "--profile", PROFILE]);
-        build.args(["--package", package, "--target", target]);
+        build.args(["--package", package, "--bin", program, "--target", target]);
         if !defaults {
             build.arg("--no-default-features");
         }
-        let program = target_dir().join(target).join(PROFILE).join(package);
         let variant = if defaults { "" } else { "-minimal" };
-        let name = format!("{package}{variant}-{target}");
+        let name = format!("{program}{variant}-{target}");
+        let program = target_dir().join(target).join(PROFILE).join(program);
         build_copy(build, scene, &program, &name)
     }
 }

@@ -114,6 +114,9 @@ struct Bench {
     /// Stores the counted instructions as the budget.
     #[arg(long)]
     bless: bool,
+    /// Measures the flash of the choices in docs/flash.md and writes that page.
+    #[arg(long)]
+    flash: bool,
 }
 
 fn main() -> ExitCode {
@@ -138,6 +141,7 @@ fn run(task: Task) -> Result<()> {
         Task::Headless { job, size, float } => headless(&job, &size, float),
         Task::Bench(Bench { check: true, .. }) => bench::check(),
         Task::Bench(Bench { bless: true, .. }) => bench::bless(),
+        Task::Bench(Bench { flash: true, .. }) => bench::write_choices(),
         Task::Bench(Bench {
             scene: Some(scene), ..
         }) => bench::print(&scene),

@@ -10,7 +10,7 @@ use crate::steps::{self, Step};
 use crate::{bench, board, panics, pico, tidy, tools};
 use lints::WINDOW;
 
-const STEPS: [Step; 15] = [
+const STEPS: [Step; 16] = [
     ("tools", tools::install),
     ("start-builds", board::start_builds),
     ("format", format),
@@ -22,6 +22,7 @@ const STEPS: [Step; 15] = [
     ("test-host", test_host),
     ("test-window", test_window),
     ("nopanic", panics::link_all),
+    ("choices", bench::check_choices),
     ("test-qemu", test_qemu),
     ("budget", bench::check),
     ("boards", test_boards),

@@ -5,6 +5,7 @@ use std::fs;
 
 use anyhow::{Context, Result};
 
+use super::choices;
 use super::count::Row;
 use super::flash::Flash;
 use crate::root;
@@ -12,14 +13,22 @@ use crate::size::Usage;
 
 const FILE: &str = "docs/benchmarks.md";
 
-/// Writes text to docs/benchmarks.md. The text replaces the lines between the markers
-/// `<!-- name -->` and `<!-- /name -->`.
+/// Page with the flash that each choice costs.
+pub(super) const FLASH: &str = "docs/flash.md";
+
+/// Writes text to docs/benchmarks.md, see [`replace_in`].
 pub(super) fn replace(name: &str, text: &str) -> Result<()> {
-    let file = root().join(FILE);
-    let page = fs::read_to_string(&file)?;
-    let page = replaced(&page, name, text)
-        .with_context(|| format!("{FILE} has no lines <!-- {name} --> and <!-- /{name} -->"))?;
-    Ok(fs::write(file, page)?)
+    replace_in(FILE, name, text)
+}
+
+/// Writes text to a page. The text replaces the lines between the markers `<!-- name -->` and
+/// `<!-- /name -->`.
+pub(super) fn replace_in(page: &str, name: &str, text: &str) -> Result<()> {
+    let file = root().join(page);
+    let old = fs::read_to_string(&file)?;
+    let new = replaced(&old, name, text)
+        .with_context(|| format!("{page} has no lines <!-- {name} --> and <!-- /{name} -->"))?;
+    Ok(fs::write(file, new)?)
 }
 
 fn replaced(page: &str, name: &str, text: &str) -> Option<String> {
@@ -89,6 +98,26 @@ pub(super) fn boards(boards: &[(&str, Usage)]) -> Result<String> {
     Ok(text)
 }
 
+/// Returns a table with the flash that each choice of a program costs.
+pub(super) fn choices(rows: &[choices::Row]) -> Result<String> {
+    let mut text = "| choice | Cortex-M0+ | Cortex-M3 |\n|---|--:|--:|\n".to_owned();
+    for choices::Row {
+        title, flash, base, ..
+    } in rows
+    {
+        let cell = |index: usize| match base {
+            Some(base) => format!(
+                "{:+}",
+                flash[index].cast_signed() - base[index].cast_signed()
+            ),
+            None => thousands(flash[index]),
+        };
+        let [m0, m3] = [0, 1].map(cell);
+        writeln!(text, "| {title} | {m0} | {m3} |")?;
+    }
+    Ok(text)
+}
+
 /// Formats 12345678 as "12.3 M".
 fn millions(count: u64) -> String {
     let millions = count as f64 / 1e6;
@@ -130,6 +159,8 @@ mod tests {
         for name in ["frames", "flash", "boards"] {
             assert!(replaced(&page, name, "").is_some(), "{name}");
         }
+        let page = fs::read_to_string(root().join(FLASH))?;
+        assert!(replaced(&page, "choices", "").is_some());
         Ok(())
     }
 }

@@ -10,7 +10,8 @@ use crate::firmware::{V6M, V7M};
 pub(super) const WINDOW: [&str; 2] = ["--features", "whitted-sim/window"];
 
 /// Firmware packages in the root workspace.
-const FIRMWARE: [&str; 7] = [
+const FIRMWARE: [&str; 8] = [
+    "choices",
     "float",
     "headless",
     "lm3s6965evb",
