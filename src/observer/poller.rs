@@ -14,14 +14,14 @@ use crate::observer::{Observer, RayKind, ShapeKind};
 ///
 /// ```
 /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};
-/// # use whitted::{Camera, Real, Scene, SceneBuffer, Vec3};
+/// # use whitted::{Camera, Scene, SceneBuffer, real, vec3};
 /// # struct Watchdog(u32);
 /// # impl Watchdog { fn feed(&mut self) { self.0 += 1; } }
 /// # struct Button;
 /// # impl Button { fn is_pressed(&self) -> bool { false } }
 /// # let (mut watchdog, button) = (Watchdog(0), Button);
 /// # let mut display = MockDisplay::<Rgb565>::new();
-/// # let scene = Scene::new(Camera::new(Vec3::lit("0", "2", "8"), Vec3::lit("0", "1", "0"), Real::lit("33")));
+/// # let scene = Scene::new(Camera::new(vec3!(0, 2, 8), vec3!(0, 1, 0), real!(33)));
 /// # let mut buffer = SceneBuffer::<1, 1, 1>::new();
 /// # let scene = buffer.prepare(&scene).unwrap();
 /// use core::ops::ControlFlow;

@@ -9,7 +9,7 @@ use whitted::observer::{Observer, Poller, RayKind, ShapeKind};
 use whitted::render::{AaSample, AntialiasedRenderer, SampleCount, Step};
 use whitted::{
     Background, Camera, Color, Light, Material, MaterialId, Object, Real, Renderer, Scene,
-    SceneBuffer, Vec3,
+    SceneBuffer, Vec3, real, vec3,
 };
 
 use crate::screen::Screen;
@@ -28,17 +28,13 @@ const SLOW: Scene = Scene {
     objects: &[flake("0"), flake("0.5")],
     min_weight: Real::ZERO,
     max_depth: 32,
-    ..Scene::new(Camera::new(
-        Vec3::lit("0.1", "0.2", "4"),
-        Vec3::lit("0", "0", "0"),
-        Real::lit("33"),
-    ))
+    ..Scene::new(Camera::new(vec3!(0.1, 0.2, 4), vec3!(0, 0, 0), real!(33)))
 };
 
-const LIGHT: Light = Light::point(Vec3::lit("-3", "4", "3"), Color::gray(Real::ONE));
+const LIGHT: Light = Light::point(vec3!(-3, 4, 3), Color::gray(Real::ONE));
 
 const fn flake(x: &str) -> Object {
-    Object::sphereflake(Vec3::lit(x, "0", "0"), Real::lit("0.5"), 8, MaterialId(0))
+    Object::sphereflake(Vec3::lit(x, "0", "0"), real!(0.5), 8, MaterialId(0))
 }
 
 /// Interrupts the renderer after `limit` rays and tests.
