@@ -8,9 +8,8 @@
 use std::error::Error;
 use std::hint::black_box;
 use std::path::Path;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
-use criterion::{Criterion, SamplingMode};
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::prelude::*;
 use whitted::Renderer;
@@ -24,16 +23,10 @@ const FRAMES: [(&str, Size); 3] = [
     ("sphereflake", Size::new(80, 60)),
 ];
 
-/// Number of frames that each tracer draws to measure the speed ratio.
+/// Number of frames that each tracer draws. The median frame counts.
 const ROUNDS: usize = 31;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let mut criterion = Criterion::default()
-        .sample_size(20)
-        .warm_up_time(Duration::from_secs(1))
-        .measurement_time(Duration::from_secs(4))
-        .configure_from_args();
-    let mut ratios = Vec::new();
     for (name, size) in FRAMES {
         let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/scenes/{name}.toml"));
         let scene_file = scene_file::load(&file)?;
@@ -43,18 +36,15 @@ fn main() -> Result<(), Box<dyn Error>> {
         let scene = whitted_oracle::load::<f32>(&file);
         let mut float = float(scene.scene(), size);
 
-        let mut group = criterion.benchmark_group(format!("{name} {}x{}", size.width, size.height));
-        // In flat mode, every sample draws the same number of frames. A linearly growing
-        // number would take too long, because one frame takes milliseconds.
-        group.sampling_mode(SamplingMode::Flat);
-        group.bench_function("fixed point", |bencher| bencher.iter(&mut fixed));
-        group.bench_function("f32", |bencher| bencher.iter(&mut float));
-        group.finish();
-        ratios.push((name, ratio(&mut fixed, &mut float)));
-    }
-    criterion.final_summary();
-    for (name, ratio) in ratios {
-        println!("{name}: fixed point is {ratio:.2} times as fast as f32 on this host");
+        let [fixed, float] = frame_times(&mut fixed, &mut float);
+        println!(
+            "{name} {}x{}: fixed point {:.2} ms, f32 {:.2} ms, ratio {:.2}",
+            size.width,
+            size.height,
+            1e3 * fixed,
+            1e3 * float,
+            float / fixed
+        );
     }
     Ok(())
 }
@@ -96,20 +86,20 @@ fn to_rgb565(color: whitted_oracle::Color<f32>) -> Rgb565 {
     )
 }
 
-/// Returns the time that `second` takes for a frame, divided by the time that `first`
-/// takes.
+/// Returns the median time in seconds that each of two tracers takes for a frame.
 ///
 /// The two tracers draw frames in turn, so that other load on the machine slows down both
-/// tracers. Each pair of frames gives one ratio. The function returns the median ratio.
-fn ratio(first: &mut impl FnMut(), second: &mut impl FnMut()) -> f64 {
-    let mut ratios: Vec<f64> = (0..ROUNDS)
-        .map(|_| {
-            let first = seconds(first);
-            seconds(second) / first
-        })
-        .collect();
-    ratios.sort_by(f64::total_cmp);
-    ratios[ROUNDS / 2]
+/// tracers.
+fn frame_times(first: &mut impl FnMut(), second: &mut impl FnMut()) -> [f64; 2] {
+    let mut times = [(); 2].map(|()| Vec::with_capacity(ROUNDS));
+    for _ in 0..ROUNDS {
+        times[0].push(seconds(first));
+        times[1].push(seconds(second));
+    }
+    times.map(|mut times| {
+        times.sort_by(f64::total_cmp);
+        times[ROUNDS / 2]
+    })
 }
 
 /// Returns the time to draw one frame, in seconds.
