@@ -1,7 +1,5 @@
 //! Keyframe animation: interpolation, loops, targets and rejected animations.
 
-#![allow(clippy::unwrap_used)]
-
 use whitted::animation::{
     AnimatedScene, Animation, AnimationError, AnimationProblem, Interpolation, Keyframe, Target,
     Track,

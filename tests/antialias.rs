@@ -1,8 +1,6 @@
 //! Antialiasing: its PSNR against the mean of 64 rays per pixel, and its cost in
-//! rays. `cargo test --test antialias -- --nocapture` prints the table of
+//! rays. `cargo test --test all antialias -- --nocapture` prints the table of
 //! docs/antialiasing.md.
-
-#![allow(clippy::unwrap_used)]
 
 use embedded_graphics::prelude::*;
 use whitted::observer::{Observer, RayKind};
@@ -10,8 +8,7 @@ use whitted::render::{AaSample, AntialiasedRenderer, SampleCount};
 use whitted::{Color, PreparedScene, Renderer};
 use whitted_sim::scene_file;
 
-#[path = "common/reference_scene.rs"]
-mod reference_scene;
+use crate::common::reference_scene;
 
 const SIZE: Size = Size::new(320, 240);
 

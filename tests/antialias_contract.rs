@@ -1,14 +1,9 @@
 //! Contract of the antialiased renderer: a line does not depend on the order of
 //! rendering, and only edge pixels get extra rays.
 
-#![allow(clippy::unwrap_used)]
-
-#[path = "common/line_display.rs"]
-mod line_display;
-
+use crate::common::line_display::LineDisplay;
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
-use line_display::LineDisplay;
 use whitted::observer::Stats;
 use whitted::render::{AaSample, AntialiasError, AntialiasedRenderer, SampleCount};
 use whitted::scene::Axis;

@@ -1,8 +1,6 @@
 //! `set_camera` and `orbited`: a prepared or decoded scene with a moved camera
 //! draws the picture of a scene prepared with that camera.
 
-#![allow(clippy::unwrap_used)]
-
 use embedded_graphics::geometry::Size;
 use whitted::scene::{SceneItem, SceneProblem};
 use whitted::{Camera, PreparedScene, Real, Renderer, SceneBuffer, Vec3, real, vec3};

@@ -1,8 +1,6 @@
 //! Compiled scenes: they draw the picture of their source, and the decoder rejects
 //! damaged bytes.
 
-#![allow(clippy::unwrap_used)]
-
 use std::fs;
 
 use embedded_graphics::geometry::Size;

@@ -1,8 +1,6 @@
 //! `DirtyLines`: frames of a moving scene, of which only changed segments are sent
 //! to the display.
 
-#![allow(clippy::unwrap_used)]
-
 use embedded_graphics::Pixel;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Rgb565, Rgb888};
 use embedded_graphics::prelude::*;

@@ -1,12 +1,5 @@
 //! Contract between the renderer and its `DrawTarget`: calls, errors and observers.
 
-#![allow(clippy::unwrap_used)]
-
-#[path = "common/line_display.rs"]
-mod line_display;
-#[path = "common/mirror_ball.rs"]
-mod mirror_ball;
-
 use std::convert::Infallible;
 
 use embedded_graphics::draw_target::DrawTarget;
@@ -20,8 +13,8 @@ use embedded_graphics::primitives::Rectangle;
 use whitted::observer::{Observer, RayKind, Stats};
 use whitted::{Renderer, SceneBuffer};
 
-use line_display::{LineDisplay, Unplugged};
-use mirror_ball::SCENE;
+use crate::common::line_display::{LineDisplay, Unplugged};
+use crate::common::mirror_ball::SCENE;
 
 /// Checks that a picture is drawn completely. `MockDisplay` panics if a pixel is
 /// drawn twice or lies outside the display.

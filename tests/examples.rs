@@ -3,9 +3,7 @@
 //! Each example is compiled into this test as a module. After a change of an example, write
 //! its picture again: `cargo run --example NAME -- docs/images/examples/NAME.png`.
 
-#![allow(clippy::unwrap_used)]
 #![allow(dead_code, reason = "no test calls the examples' main functions")]
-#![allow(clippy::duplicate_mod, reason = "each example declares mod common")]
 
 #[path = "../examples/animation.rs"]
 mod animation;

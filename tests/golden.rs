@@ -1,10 +1,8 @@
 //! Golden pictures, compared bit for bit: one PNG for each display color type, and
 //! the checksums of all scenes.
 //!
-//! `BLESS=1 cargo test --test golden` rewrites the files; inspect them before you
+//! `BLESS=1 cargo test --test all golden` rewrites the files; inspect them before you
 //! commit them.
-
-#![allow(clippy::unwrap_used)]
 
 use std::fmt::Write;
 use std::fs;
@@ -22,9 +20,7 @@ use whitted::{Color, Renderer};
 use whitted_sim::picture::Picture;
 use whitted_sim::{png16, render, scene_file};
 
-#[path = "random_scenes/generator.rs"]
-#[allow(dead_code, reason = "`bounces` is used by tests/random_scenes only")]
-mod generator;
+use crate::random_scenes::generator;
 
 const SIZE: Size = Size::new(96, 72);
 

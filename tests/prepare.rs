@@ -1,7 +1,5 @@
 //! Validation of scenes by `SceneBuffer::prepare`, item by item.
 
-#![allow(clippy::unwrap_used)]
-
 use whitted::scene::{Axis, ClipBox, SceneItem};
 use whitted::{
     Background, Camera, Color, Light, Material, MaterialId, Object, Real, Scene, SceneBuffer,

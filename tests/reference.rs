@@ -5,11 +5,8 @@
 //! Each limit is the measured value less a small margin, so that a loss of
 //! precision fails the test.
 
-#![allow(clippy::unwrap_used)]
-
-mod common;
-#[path = "common/reference_scene.rs"]
-mod reference_scene;
+use crate::common;
+use crate::common::reference_scene;
 
 use whitted_oracle::{compare, read_png};
 

@@ -1,10 +1,7 @@
 //! Compares scenes that no reference image covers with the double-precision
 //! oracle, or with the result known by construction.
 
-#![allow(clippy::unwrap_used)]
-
-mod common;
-
+use crate::common;
 use whitted::observer::{Observer, RayKind, ShapeKind};
 use whitted::{Color, Real};
 use whitted_oracle::compare;

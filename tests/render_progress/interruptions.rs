@@ -12,8 +12,8 @@ use whitted::{
     SceneBuffer, Vec3, real, vec3,
 };
 
-use crate::screen::Screen;
-use crate::{ORDERS, any_step, areas, reference, with_scene};
+use super::screen::Screen;
+use super::{ORDERS, any_step, areas, reference, with_scene};
 
 /// Two glass sphereflakes of the greatest depth. Their ray trees are too large to trace.
 const SLOW: Scene = Scene {

@@ -8,8 +8,8 @@ use whitted::Renderer;
 use whitted::observer::Stats;
 use whitted::render::{DisplayColor, Output, RenderProgress, Step};
 
-use crate::screen::{Call, Screen};
-use crate::{areas, reference, visible, with_scene};
+use super::screen::{Call, Screen};
+use super::{areas, reference, visible, with_scene};
 
 #[test]
 fn first_pass_covers_the_area_with_blocks() {

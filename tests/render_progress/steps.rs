@@ -9,8 +9,8 @@ use whitted::Renderer;
 use whitted::observer::Stats;
 use whitted::render::{DisplayColor, Output, RenderProgress, Step};
 
-use crate::screen::{Screen, Unplugged};
-use crate::{ORDERS, any_step, areas, draw, reference, visible, with_scene};
+use super::screen::{Screen, Unplugged};
+use super::{ORDERS, any_step, areas, draw, reference, visible, with_scene};
 
 #[test]
 fn both_orders_trace_each_pixel_once() {

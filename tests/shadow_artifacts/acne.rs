@@ -3,7 +3,8 @@
 
 use fastrand::Rng;
 
-use super::{Shadows, Triple, common, direction, outside, scene, shadows};
+use super::{Shadows, Triple, direction, outside, scene, shadows};
+use crate::common;
 
 /// Shapes inside the unit sphere that are convex as seen from outside. Unbounded
 /// shapes are convex but leave the sphere.

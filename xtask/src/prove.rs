@@ -19,10 +19,12 @@ use crate::{panics, root};
 /// Names of the checks and the functions that run them.
 const CHECKS: [Step; 11] = [
     ("panics", panics),
-    ("damage", || library_test(&["--test", "compiled"], None)),
+    ("damage", || {
+        library_test(&["--test", "all", "compiled"], None)
+    }),
     ("overflow", overflow),
     ("pictures", || {
-        library_test(&["--test", "random_scenes"], None)
+        library_test(&["--test", "all", "random_scenes"], None)
     }),
     ("everywhere", everywhere::check),
     ("miri", miri::check),
@@ -53,7 +55,7 @@ fn library_test(arguments: &[&str], variable: Option<(&str, &str)>) -> Result<()
 /// Runs tests that panic on arithmetic overflow. Some tests draw scenes with values at the limits
 /// of all ranges. Other tests compare the library's arithmetic with exact integer arithmetic.
 fn overflow() -> Result<()> {
-    library_test(&["--test", "fuzz"], Some(("RUNS", "20000")))?;
+    library_test(&["--test", "all", "fuzz"], Some(("RUNS", "20000")))?;
     library_test(&["--lib"], None)
 }
 

@@ -6,6 +6,7 @@ mod layers;
 mod modules;
 mod names;
 mod source;
+mod test_modules;
 mod words;
 
 use std::fs;
@@ -35,6 +36,7 @@ pub fn run() -> Result<()> {
     let page = fs::read_to_string(root().join("docs/architecture.md"))?;
     violations.extend(layers::check(&Crate::new("src", &sources), &page));
     violations.extend(callers::check(&sources));
+    violations.extend(test_modules::check(&sources));
     for folder in ["src", "sim/src", "sim/src/bin/sim", "xtask/src"] {
         violations.extend(cycles::check(&Crate::new(folder, &sources)));
     }

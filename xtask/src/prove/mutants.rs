@@ -15,15 +15,16 @@ const FILES: [&str; 5] = [
     "src/render/scanline_culler.rs",
 ];
 
-/// Tests that are run on each mutant. All of them are fast.
-const TESTS: [&str; 7] = [
-    "--lib",
-    "--test=golden",
-    "--test=antialias_contract",
-    "--test=draw_target",
-    "--test=fuzz",
-    "--test=prepare",
-    "--test=surfaces",
+/// Tests that are run on each mutant.
+const TESTS: [&str; 2] = ["--lib", "--test=all"];
+
+/// Tests that are not run on each mutant, because they take too long.
+const SLOW: [&str; 5] = [
+    "antialias::",
+    "compiled::",
+    "random_scenes::",
+    "reference::",
+    "special_scenes::",
 ];
 
 /// Part of the mutants to test: one in seven of about 2000.
@@ -47,6 +48,8 @@ pub(super) fn check() -> Result<()> {
     mutants.arg("--output").arg(&folder);
     mutants.args(FILES.map(|file| format!("--file={file}")));
     mutants.args(TESTS.map(|test| format!("--cargo-arg={test}")));
+    mutants.args(["--", "--"]);
+    mutants.args(SLOW.map(|test| format!("--skip={test}")));
     // Each job of cargo-mutants builds in its own target folder.
     mutants.env_remove("CARGO_TARGET_DIR");
     mutants

@@ -6,13 +6,11 @@
 //! to move single pixels into the neighboring square.
 //!
 //! The environment variable `SCENES=100` reduces the number of scenes; the limits
-//! stay. `SEED=17 cargo test --test random_scenes -- --nocapture` prints one scene
+//! stay. `SEED=17 cargo test --test all random_scenes -- --nocapture` prints one scene
 //! file and its comparison, and writes both pictures as seed-17.png and
 //! seed-17-oracle.png.
 
-#![allow(clippy::unwrap_used)]
-
-mod generator;
+pub(crate) mod generator;
 
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread;

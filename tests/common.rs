@@ -1,5 +1,9 @@
 //! Renders scene files with the library, for comparison with the oracle.
 
+pub(crate) mod line_display;
+pub(crate) mod mirror_ball;
+pub(crate) mod reference_scene;
+
 use embedded_graphics::geometry::Size;
 use whitted::observer::Observer;
 use whitted::{Real, Renderer};
@@ -7,7 +11,6 @@ use whitted_sim::{render, scene_file};
 
 /// Returns linear colors from 0 to 1, row by row. `min_weight` is set to 0, so
 /// that no ray is dropped for its small weight.
-#[allow(dead_code, reason = "some tests use `observe` only")]
 pub(crate) fn render(text: &str, width: u32, height: u32) -> Vec<[f64; 3]> {
     observe(text, [width, height], ()).0
 }

@@ -1,13 +1,8 @@
 //! Compares each surface with the double-precision oracle in difficult views:
 //! as matte, mirror and glass.
 //!
-//! `cargo test --test surfaces -- --nocapture` prints the PSNR and the outliers
+//! `cargo test --test all surfaces -- --nocapture` prints the PSNR and the outliers
 //! of each picture.
-
-#![allow(clippy::unwrap_used)]
-
-#[path = "../common/mod.rs"]
-mod common;
 
 mod case;
 
@@ -19,6 +14,7 @@ mod plane;
 mod sphere;
 mod sphereflake;
 
+use crate::common;
 use case::Case;
 use whitted::observer::{Observer, RayKind, RayNode};
 use whitted_oracle::compare;

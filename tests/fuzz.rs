@@ -1,11 +1,9 @@
 //! Runs the fuzz targets of `fuzz/` on stable Rust: with every input of the
 //! corpus, and with random inputs.
 
-#![allow(clippy::unwrap_used, clippy::expect_used)]
-
-#[path = "../../fuzz/src/lib.rs"]
+#[path = "../fuzz/src/lib.rs"]
 #[allow(unreachable_pub, reason = "the fuzz targets need it public")]
-mod fuzz;
+mod targets;
 
 use std::fs;
 use std::path::Path;
@@ -13,7 +11,7 @@ use std::path::Path;
 use fastrand::Rng;
 
 /// Returns the number of random inputs: the environment variable `RUNS`, as in
-/// `RUNS=1000000 cargo test --test fuzz`, or `default`.
+/// `RUNS=1000000 cargo test --test all fuzz`, or `default`.
 fn runs(default: u64) -> u64 {
     let runs = std::env::var("RUNS").ok();
     runs.and_then(|runs| runs.parse().ok()).unwrap_or(default)
@@ -41,7 +39,7 @@ fn random_bytes(seed: u64) -> Vec<u8> {
 
 /// Runs the oracle target, which checks every input and refuses none.
 fn oracle(input: &[u8]) -> bool {
-    fuzz::oracle(input);
+    targets::oracle(input);
     true
 }
 
@@ -55,11 +53,11 @@ macro_rules! corpora {
 }
 
 corpora! {
-    corpus_scene_text: "scene_text", fuzz::scene_text;
-    corpus_compiled: "compiled", fuzz::compiled;
-    corpus_display_stream: "display_stream", fuzz::display_stream;
-    corpus_serial: "serial", fuzz::serial;
-    corpus_extremes: "extremes", fuzz::extremes;
+    corpus_scene_text: "scene_text", targets::scene_text;
+    corpus_compiled: "compiled", targets::compiled;
+    corpus_display_stream: "display_stream", targets::display_stream;
+    corpus_serial: "serial", targets::serial;
+    corpus_extremes: "extremes", targets::extremes;
     corpus_oracle: "oracle", oracle;
 }
 
@@ -71,7 +69,7 @@ fn random_extreme_scenes_do_not_panic() {
     let (mut drawn, mut panicked) = (0, Vec::new());
     for seed in 0..runs {
         let input = random_bytes(seed);
-        match std::panic::catch_unwind(|| fuzz::extremes(&input)) {
+        match std::panic::catch_unwind(|| targets::extremes(&input)) {
             Ok(is_drawn) => drawn += u64::from(is_drawn),
             Err(_) => panicked.push(seed),
         }

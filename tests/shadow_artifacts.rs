@@ -1,14 +1,10 @@
 //! Shadow acne and light leaks: a convex surface never shadows its outside, and
 //! no light passes where two surfaces touch.
 
-#![allow(clippy::unwrap_used)]
-
-#[path = "../common/mod.rs"]
-mod common;
-
 mod acne;
 mod leaks;
 
+use crate::common;
 use fastrand::Rng;
 use whitted::observer::{Observer, RayNode};
 use whitted::{Color, Real};

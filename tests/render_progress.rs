@@ -1,11 +1,6 @@
 //! `RenderProgress`: pictures drawn in steps, in scanline and in progressive order,
 //! on displays that fail.
 
-#![allow(clippy::unwrap_used)]
-
-#[path = "../common/mirror_ball.rs"]
-mod mirror_ball;
-
 mod interruptions;
 mod passes;
 mod screen;
@@ -17,7 +12,7 @@ use fastrand::Rng;
 use whitted::render::{RenderProgress, Step};
 use whitted::{PreparedScene, Renderer, SceneBuffer};
 
-use mirror_ball::SCENE;
+use crate::common::mirror_ball::SCENE;
 use screen::{Screen, Unplugged};
 
 /// Runs a test with the prepared scene.
