@@ -8,7 +8,7 @@ use std::thread;
 use anyhow::{Result, bail};
 
 use crate::command::cargo;
-use crate::firmware::{V6M, V7EM, V8M, build_copy};
+use crate::firmware::{PROFILE, V6M, V7EM, V8M, build_copy};
 use crate::size::{Usage, usage};
 use crate::{root, target_dir, tools};
 
@@ -97,12 +97,6 @@ pub(crate) fn start_builds() -> Result<()> {
     Ok(())
 }
 
-/// Returns Cargo's target folder for boards. All boards use the same folder, so that they share
-/// built dependencies.
-fn builds() -> PathBuf {
-    target_dir().join("boards")
-}
-
 impl Board {
     /// Returns the board's folder.
     pub(crate) fn folder(self) -> PathBuf {
@@ -110,11 +104,16 @@ impl Board {
     }
 
     /// Returns a Cargo command that runs in the board's folder.
+    ///
+    /// The command uses the target folder of the root workspace and the name of its profile for
+    /// firmware. The boards then share built dependencies with each other and with the firmware of
+    /// the root workspace.
     pub(crate) fn cargo(self, subcommand: &str) -> Command {
         let mut cargo = cargo();
         cargo.current_dir(self.folder());
-        cargo.env("CARGO_TARGET_DIR", builds());
-        cargo.arg(subcommand);
+        cargo.env("CARGO_TARGET_DIR", target_dir());
+        cargo.args([subcommand, "--quiet", "--locked", "--profile", PROFILE]);
+        cargo.args(["--config", "profile.firmware.inherits=\"release\""]);
         cargo
     }
 
@@ -123,9 +122,8 @@ impl Board {
     pub fn build(self, scene: Option<&Path>) -> Result<PathBuf> {
         tools::install_flip_link()?;
         let mut build = self.cargo("build");
-        build.args(["--quiet", "--release", "--locked"]);
         build.args(["--features", self.features]);
-        let program = builds().join(self.target).join("release").join(self.name);
+        let program = target_dir().join(self.target).join(PROFILE).join(self.name);
         let name = format!("{}{}", self.name, self.features);
         build_copy(build, scene, &program, &name)
     }

@@ -47,12 +47,14 @@ fn docs() -> Result<()> {
 }
 
 /// Runs the tests on the host. They draw 300 random scenes; `cargo xtask prove pictures` draws
-/// 1000.
+/// 1000. Examples are not built as programs, because tests/examples.rs contains them.
 fn test_host() -> Result<()> {
-    let mut test = cargo();
-    test.args(["test", "--quiet", "--no-fail-fast"])
-        .args(WINDOW);
-    command::run(test.env("SCENES", "300"))
+    ["--tests", "--doc"].into_iter().try_for_each(|kind| {
+        let mut test = cargo();
+        test.args(["test", "--quiet", "--no-fail-fast", kind])
+            .args(WINDOW);
+        command::run(test.env("SCENES", "300"))
+    })
 }
 
 /// Tests the window of `sim view` on a virtual X screen.

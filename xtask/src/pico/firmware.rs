@@ -19,7 +19,7 @@ pub(super) fn build(scenes: &[&Path]) -> Result<PathBuf> {
 /// Runs Clippy on the firmware of the Pico.
 pub(super) fn lint() -> Result<()> {
     let mut clippy = PICO.cargo("clippy");
-    clippy.args(["--release", "--quiet", "--locked", "--", "-D", "warnings"]);
+    clippy.args(["--", "-D", "warnings"]);
     run(&mut clippy)
 }
 
