@@ -26,7 +26,7 @@ macro_rules! import {
 import! {
     AaSample AnimatedScene Animation AnimationError AnimationProblem AntialiasError
     AntialiasedRenderer Axis Background Camera ClipBox Color Crc32 DecodeError DirtyLines
-    DisplayColor Dither Interpolation Keyframe Light Material MaterialId Object Observer Output
+    DisplayColor Dither Interpolation Keyframe Light Material MaterialId Object Observer Output Poller
     PreparedScene Radiance RayKind RayNode Real RenderProgress Renderer SampleCount Scene
     SceneBuffer SceneBuilder SceneCounts SceneError SceneItem SceneProblem Shape ShapeKind
     SpecularModel Stats Step Target Texture Track Transfer Vec3
