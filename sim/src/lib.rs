@@ -15,8 +15,10 @@
 pub mod compare;
 pub mod cost;
 pub mod flash;
+pub mod input;
 pub mod picture;
 pub mod png16;
 pub mod ray_tree;
 pub mod render;
 pub mod scene_file;
+pub mod text;

@@ -8,13 +8,16 @@
 //! would then have no line numbers. The reader uses `DeTable`, which keeps the position of each
 //! value.
 
+mod alias;
 mod animation;
+mod counts;
 mod error;
 mod example;
 mod explain;
 mod explain_animation;
 mod file;
 mod file_animation;
+mod inside;
 mod light;
 mod material;
 mod name;
@@ -27,14 +30,19 @@ mod shape;
 mod shape_reader;
 mod source;
 mod suggest;
+mod syntax;
 mod table;
 mod target;
 mod texture;
 mod value;
+mod warning;
 
+use std::io::{Error, ErrorKind};
 use std::path::Path;
 
 use whitted::PreparedScene;
+
+use crate::input;
 
 pub use error::LoadError;
 pub use file::{AnimatedScene, Buffer, SceneFile};
@@ -46,14 +54,18 @@ pub use suggest::nearest;
 pub fn load(path: impl AsRef<Path>) -> Result<SceneFile, LoadError> {
     let path = path.as_ref();
     let name = path.display().to_string();
-    let text =
-        std::fs::read_to_string(path).map_err(|error| LoadError::unreadable(&name, error))?;
-    parse(&name, &text)
+    let text = input::read(path).and_then(|bytes| {
+        String::from_utf8(bytes).map_err(|error| Error::new(ErrorKind::InvalidData, error))
+    });
+    parse(
+        &name,
+        &text.map_err(|error| LoadError::unreadable(&name, error))?,
+    )
 }
 
 /// Reads a scene from the text of a scene file. Error messages contain `name` as the file name.
 pub fn parse(name: &str, text: &str) -> Result<SceneFile, LoadError> {
-    read::scene_file(&source::Source { name, text })
+    read::scene_file(&source::Source::new(name, text))
 }
 
 /// Reads a scene file and encodes it for [`whitted::SceneBuffer::decode`].

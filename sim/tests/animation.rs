@@ -47,7 +47,7 @@ keys = [[0, [0, 1, 0]], [1, [0, 3, 0]], [2, [0, 1, 0]]]
 
 [[animation.tracks]]
 target = "objects.ball.radius"
-keys = [[0, 1], [2, 0]]
+keys = [[0, 1], [2, 0.0000152587890625]]
 
 [[animation.tracks]]
 target = "lights.sun.position"
@@ -66,7 +66,10 @@ fn applies_every_kind_of_target() -> Result<(), Box<dyn Error>> {
     assert_eq!(frame.camera.eye, vec3!(8, 1, 0));
     assert_eq!(frame.camera.fovy_deg, 30);
     let (ball, red) = (vec3!(0, 3, 0), MaterialId(0));
-    assert_eq!(frame.objects, [Object::sphere(ball, real!(0.5), red)]);
+    assert_eq!(
+        frame.objects,
+        [Object::sphere(ball, real!(0.50000762939453125), red)]
+    );
     let (sun, color) = (vec3!(2, 9, 0), color!(1, 0.5, 0.75));
     assert_eq!(frame.lights, [Light::point(sun, color)]);
     // After its duration, the animation keeps its last values.
@@ -96,7 +99,7 @@ fn scene_without_animation_does_not_change() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The ball's radius is 0 in the last frame.
+/// In the last frame, the radius of the ball is too small for the extent of the scene.
 #[test]
 fn errors_in_a_frame_name_the_track() -> Result<(), Box<dyn Error>> {
     let file = scene_file::parse("moving.toml", &[SCENE, ANIMATION].concat())?;
@@ -106,7 +109,7 @@ fn errors_in_a_frame_name_the_track() -> Result<(), Box<dyn Error>> {
     let frame = file.frame(&mut animated, end)?;
     let error = buffer.prepare(&frame).err().ok_or("an error")?;
     let message = file.explain_frame(error, end).to_string();
-    let expected = "moving.toml:40: animation.tracks[3].keys: at 2.000 s, radius must be from ";
+    let expected = "moving.toml:40: animation.tracks[3].keys[1]: at 2.000 s, radius must be from ";
     assert!(message.starts_with(expected), "{message}");
 
     let error = SceneError {

@@ -84,9 +84,36 @@ fn values_out_of_range() -> Result<(), Box<dyn Error>> {
 
 /// Generates its scene, which would be too long for a file of cases.
 #[test]
-fn more_lights_than_the_buffer_holds() {
+fn too_many_lights_and_objects() {
     let light = "[[lights]]\nposition = [0, 0, 0]\ncolor = [1, 1, 1]\n";
-    let expected =
-        "bad.toml:1: lights: exceed the buffer's capacity of 16\n  help: remove some of them";
+    let expected = "bad.toml:1: lights: must be at most 16, not 17\n  help: remove some of them";
     assert_eq!(message(&light.repeat(17)), expected);
+    // The number of objects is reported before the errors in the objects.
+    let expected =
+        "bad.toml:1: objects: must be at most 256, not 8000\n  help: remove some of them";
+    assert_eq!(message(&"[[objects]]\n".repeat(8000)), expected);
+}
+
+#[test]
+fn long_names_are_shortened() {
+    let name = "x".repeat(200_000);
+    let short = "x".repeat(60);
+    let scene = format!("[materials.{name}]\nkd = 1");
+    let start = format!("bad.toml:2: materials.{}…: must be", &short[..50]);
+    assert!(message(&scene).starts_with(&start));
+    let object = "[[objects]]\ntype = \"sphere\"\ncenter = [0, 0, 0]\nradius = 1\n";
+    let scene = format!("[materials.{name}]\n{object}material = \"y{name}\"");
+    let expected = format!(
+        "bad.toml:6: objects[0].material: there is no material `y{}…`
+  help: the materials are `{short}…`",
+        &short[..59]
+    );
+    assert_eq!(message(&scene), expected);
+}
+
+#[test]
+fn control_characters_are_escaped() {
+    let expected = r"bad.toml:1: key with no value, expected `=`, found `[31mred\u{1b}]0;title\u{7} = 1`
+  help: a scene is written in TOML: `key = value` lines under [table] headings";
+    assert_eq!(message("\u{1b}[31mred\u{1b}]0;title\u{7} = 1"), expected);
 }

@@ -114,6 +114,24 @@ fn reports_a_damaged_transfer() -> Outcome {
 }
 
 #[test]
+fn escapes_and_shortens_the_answer() -> Outcome {
+    let why = format!("\u{1b}]0;title\u{7}{}", "x".repeat(1000));
+    for answer in [true, false] {
+        let output = send(|ticket| {
+            let why = why.as_str();
+            vec![line(match answer {
+                true => Answer::Refused { ticket, why },
+                false => Answer::Broken { why },
+            })]
+        })?;
+        let message = output.err().ok_or("no error")?;
+        let reason = format!(r": \u{{1b}}]0;title\u{{7}}{}…", "x".repeat(50));
+        assert!(message.contains(&reason), "{message}");
+    }
+    Ok(())
+}
+
+#[test]
 fn reports_a_missing_answer() -> Outcome {
     let output = send(|_| Vec::new())?;
     let expected = "error: PORT: the board does not answer

@@ -1,5 +1,6 @@
 use toml::de::DeValue;
 use whitted::animation::{Interpolation, Keyframe};
+use whitted::scene::SceneProblem;
 use whitted::{Real, Vec3};
 
 use super::error::LoadError;
@@ -8,8 +9,12 @@ use super::file_animation::{FileAnimation, FileTrack};
 use super::schema::{ANIMATION, TRACK};
 use super::suggest::suggestion;
 use super::table::Table;
-use super::target::{NamedTarget, ValueKind};
+use super::target::{NamedTarget, ValueKind, limits};
 use super::value::Value;
+use crate::text::excerpt;
+
+/// Largest number of keyframes of a track.
+const MAX_KEYS: usize = u16::MAX as usize;
 
 /// Reads the table `[animation]`.
 ///
@@ -57,14 +62,14 @@ fn track(table: &Table<'_>, targets: &[NamedTarget]) -> Result<FileTrack, LoadEr
     Ok(FileTrack {
         target: named.target,
         interpolation,
-        keys: keyframes(table, named.kind)?,
+        keys: keyframes(table, named)?,
     })
 }
 
-fn keyframes(table: &Table<'_>, kind: ValueKind) -> Result<Vec<Keyframe>, LoadError> {
+fn keyframes(table: &Table<'_>, named: &NamedTarget) -> Result<Vec<Keyframe>, LoadError> {
     // Error messages show example keyframes. The examples have values of the type that the target
     // needs.
-    let key = example_key(kind);
+    let key = example_key(named.kind);
     let value = table
         .need("keys")
         .map_err(|error| error.help(format!("add `{}`", example(key))))?;
@@ -73,7 +78,11 @@ fn keyframes(table: &Table<'_>, kind: ValueKind) -> Result<Vec<Keyframe>, LoadEr
     if keys.is_empty() {
         return Err(value.error_with_example("must not be empty"));
     }
-    keys.iter().map(|value| keyframe(value, kind)).collect()
+    if keys.len() > MAX_KEYS {
+        let reason = format!("must be at most {MAX_KEYS} keyframes, not {}", keys.len());
+        return Err(value.error(reason).help("remove some of them"));
+    }
+    keys.iter().map(|value| keyframe(value, named)).collect()
 }
 
 fn find_target<'t>(
@@ -84,7 +93,7 @@ fn find_target<'t>(
     if let Some(found) = targets.iter().find(|named| named.path == text) {
         return Ok(found);
     }
-    let error = value.error(format!("`{text}` is not an animation target"));
+    let error = value.error(format!("`{}` is not an animation target", excerpt(text)));
     let list = text.split('.').next().unwrap_or_default();
     let is_in_list = |named: &NamedTarget| named.path.split('.').next() == Some(list);
     if ["objects", "lights"].contains(&list) && !targets.iter().any(is_in_list) {
@@ -98,8 +107,8 @@ fn find_target<'t>(
 }
 
 /// Reads a keyframe `[time, value]`.
-fn keyframe(value: &Value<'_>, kind: ValueKind) -> Result<Keyframe, LoadError> {
-    let expected = match kind {
+fn keyframe(value: &Value<'_>, named: &NamedTarget) -> Result<Keyframe, LoadError> {
+    let expected = match named.kind {
         ValueKind::Point => "a keyframe [time, [x, y, z]]",
         ValueKind::Color => "a keyframe [time, [r, g, b]]",
         ValueKind::Number => "a keyframe [time, number]",
@@ -108,9 +117,9 @@ fn keyframe(value: &Value<'_>, kind: ValueKind) -> Result<Keyframe, LoadError> {
     let [time, value] = value.array(expected)?;
     let is_list = matches!(value.node.get_ref(), DeValue::Array(_));
     let vector = |x, y| Vec3::new(x, y, Real::ZERO);
-    Ok(Keyframe {
+    let keyframe = Keyframe {
         time: time.number()?,
-        value: match kind {
+        value: match named.kind {
             ValueKind::Point => value.vector()?,
             ValueKind::Color => value.color().map(|c| Vec3::new(c.r, c.g, c.b))?,
             ValueKind::Angles if is_list => value
@@ -118,7 +127,30 @@ fn keyframe(value: &Value<'_>, kind: ValueKind) -> Result<Keyframe, LoadError> {
                 .map(|[yaw, pitch]| vector(yaw, pitch))?,
             ValueKind::Number | ValueKind::Angles => vector(value.number()?, Real::ZERO),
         },
-    })
+    };
+    check_limits(&value, keyframe.value, named)?;
+    Ok(keyframe)
+}
+
+/// Returns an error if a value of a keyframe is outside the limits of its target.
+fn check_limits(
+    value: &Value<'_>,
+    vector: Vec3<Real>,
+    named: &NamedTarget,
+) -> Result<(), LoadError> {
+    let Some([least, most]) = limits(named.target) else {
+        return Ok(());
+    };
+    let is_within = |number: Real| (least..=most).contains(&number);
+    let is_valid = match named.kind {
+        ValueKind::Number => is_within(vector.x),
+        _ => [vector.x, vector.y, vector.z].into_iter().all(is_within),
+    };
+    if is_valid {
+        return Ok(());
+    }
+    let problem = SceneProblem::OutOfRange { least, most };
+    Err(value.error_with_example(format!("{problem}, not {}", excerpt(value.source_text()))))
 }
 
 /// Returns the name under which [`example`] has keyframes with values of this type.

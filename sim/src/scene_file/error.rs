@@ -2,7 +2,12 @@ use std::error::Error;
 use std::fmt;
 use std::io;
 
+use crate::text::{escaped, excerpt};
+
 /// An error in a scene file. It has the place and the reason of the error, and may have advice.
+///
+/// [`Display`](fmt::Display) escapes characters that control a terminal. The key and the quoted parts
+/// of the file are shortened to 60 characters.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LoadError {
     /// File name as the caller passed it.
@@ -22,6 +27,7 @@ impl LoadError {
     pub(super) fn unreadable(file: &str, error: io::Error) -> Self {
         let help = match error.kind() {
             io::ErrorKind::InvalidData => "save the scene file as UTF-8 text",
+            io::ErrorKind::FileTooLarge => "remove objects and keyframes, or check the path",
             _ => "check the path and its permissions",
         };
         Self {
@@ -42,16 +48,16 @@ impl LoadError {
 
 impl fmt::Display for LoadError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.file)?;
+        f.write_str(&escaped(&self.file))?;
         if let Some(line) = self.line {
             write!(f, ":{line}")?;
         }
         if let Some(key) = &self.key {
-            write!(f, ": {key}")?;
+            write!(f, ": {}", excerpt(key))?;
         }
-        write!(f, ": {}", self.reason)?;
+        write!(f, ": {}", escaped(&self.reason))?;
         match &self.help {
-            Some(help) => write!(f, "\n  help: {help}"),
+            Some(help) => write!(f, "\n  help: {}", escaped(help)),
             None => Ok(()),
         }
     }

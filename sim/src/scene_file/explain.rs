@@ -7,6 +7,7 @@ use super::error::LoadError;
 use super::example::example;
 use super::file::SceneFile;
 use super::outline::Entry;
+use crate::text::excerpt;
 
 impl SceneFile {
     /// Converts an error of the library to an error that names the key of the rejected value and
@@ -66,7 +67,9 @@ fn child(path: &str, key: &str) -> String {
 
 fn reason(problem: SceneProblem, entry: Option<&Entry>) -> String {
     match (problem, entry) {
-        (SceneProblem::OutOfRange { .. }, Some(entry)) => format!("{problem}, not {}", entry.text),
+        (SceneProblem::OutOfRange { .. }, Some(entry)) => {
+            format!("{problem}, not {}", excerpt(&entry.text))
+        }
         _ => problem.to_string(),
     }
 }

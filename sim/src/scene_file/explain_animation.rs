@@ -1,5 +1,5 @@
 use whitted::animation::{AnimationError, AnimationProblem, Target};
-use whitted::scene::SceneItem;
+use whitted::scene::{SceneItem, SceneProblem};
 use whitted::{Real, SceneError};
 
 use super::error::LoadError;
@@ -33,13 +33,15 @@ impl SceneFile {
     }
 
     /// Converts an error that the library reports for the animated scene at `time`. The new error
-    /// names the track that may be the cause. If no track may be the cause, the new error names the
+    /// names the track that may be the cause, and its last keyframe before `time`. If no track may be the cause, the new error names the
     /// scene-file key of the rejected value.
     pub fn explain_frame(&self, error: SceneError, time: Real) -> LoadError {
-        let mut tracks = self.animation.iter().flat_map(|it| &it.tracks);
-        if let Some(track) = tracks.position(|track| may_cause(track.target, &error)) {
+        let mut tracks = self.animation.iter().flat_map(|it| &it.tracks).enumerate();
+        if let Some((index, track)) = tracks.find(|(_, track)| may_cause(track.target, &error)) {
             let reason = format!("at {time:.3} s, {} {}", error.field, error.problem);
-            return self.error_at(format!("animation.tracks[{track}].keys"), reason);
+            let keys = format!("animation.tracks[{index}].keys");
+            let before = track.keys.partition_point(|key| key.time <= time);
+            return self.error_at(format!("{keys}[{}]", before.saturating_sub(1)), reason);
         }
         let error = self.explain(error);
         LoadError {
@@ -48,7 +50,8 @@ impl SceneFile {
         }
     }
 
-    fn error_at(&self, key: String, reason: impl Into<String>) -> LoadError {
+    /// Returns an error about the scene-file key with this path.
+    pub(super) fn error_at(&self, key: String, reason: impl Into<String>) -> LoadError {
         LoadError {
             file: self.outline.name().to_owned(),
             line: self.outline.find(&key).map(|entry| entry.line),
@@ -61,11 +64,16 @@ impl SceneFile {
 
 /// Returns true if a track that animates `target` may cause the error.
 fn may_cause(target: Target, error: &SceneError) -> bool {
-    let SceneError { item, field, .. } = *error;
+    let SceneError {
+        item,
+        field,
+        problem,
+    } = *error;
+    let is_view = matches!(problem, SceneProblem::NoView | SceneProblem::AlongView);
     match target {
         Target::CameraOrbit => item == SceneItem::Camera,
-        Target::CameraEye => item == SceneItem::Camera && field == "eye",
-        Target::CameraLookAt => item == SceneItem::Camera && field == "look_at",
+        Target::CameraEye => item == SceneItem::Camera && (is_view || field == "eye"),
+        Target::CameraLookAt => item == SceneItem::Camera && (is_view || field == "look_at"),
         Target::CameraFovy => item == SceneItem::Camera && field == "fovy_deg",
         Target::ObjectPosition(object) => item == SceneItem::Object(object) && field != "radius",
         Target::ObjectRadius(object) => item == SceneItem::Object(object) && field == "radius",

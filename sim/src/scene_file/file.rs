@@ -2,9 +2,17 @@ use whitted::{Light, Material, MaterialId, Object, Scene, SceneBuffer, Texture};
 
 use super::file_animation::FileAnimation;
 use super::outline::Outline;
+use crate::text::excerpt;
+
+/// Largest number of objects of a scene file.
+pub(super) const MAX_OBJECTS: usize = 256;
+/// Largest number of lights of a scene file.
+pub(super) const MAX_LIGHTS: usize = 16;
+/// Largest number of materials of a scene file.
+pub(super) const MAX_MATERIALS: usize = 256;
 
 /// Scene buffer for scene files. Its capacity is 256 objects, 16 lights and 256 materials.
-pub type Buffer = SceneBuffer<256, 16, 256>;
+pub type Buffer = SceneBuffer<MAX_OBJECTS, MAX_LIGHTS, MAX_MATERIALS>;
 
 /// Buffer for the frames of an animated scene file. Its capacity is 256 objects and 16 lights.
 pub type AnimatedScene = whitted::animation::AnimatedScene<256, 16>;
@@ -43,15 +51,18 @@ impl SceneFile {
 
     /// Describes an object by its type and material, for example `sphere "glass"`.
     pub fn describe(&self, object: u16) -> Option<String> {
-        let name = |MaterialId(index)| self.material_names.get(usize::from(index));
+        let name = |MaterialId(index)| {
+            let name = self.material_names.get(usize::from(index))?;
+            Some(excerpt(name))
+        };
         let kind = self.outline.find(&format!("objects[{object}].type"))?;
         let kind = kind.text.trim_matches(['"', '\'']);
         Some(match self.objects.get(usize::from(object))?.texture {
-            Texture::Uniform(material) => format!("{kind} {:?}", name(material)?),
+            Texture::Uniform(material) => format!("{kind} \"{}\"", name(material)?),
             Texture::Checker {
                 materials: [even, odd],
                 ..
-            } => format!("{kind} {:?} or {:?}", name(even)?, name(odd)?),
+            } => format!("{kind} \"{}\" or \"{}\"", name(even)?, name(odd)?),
         })
     }
 }

@@ -1,3 +1,5 @@
+use std::collections::BTreeSet;
+
 use whitted::animation::{Animation, Interpolation, Keyframe, Target, Track};
 use whitted::{Real, real};
 
@@ -50,6 +52,20 @@ impl FileAnimation {
     /// Returns the tracks in the form that [`Animation`] borrows.
     pub fn tracks(&self) -> Vec<Track<'_>> {
         self.tracks.iter().map(FileTrack::borrow).collect()
+    }
+
+    /// Returns times at which the animation can be checked, sorted: 256 times with equal distances,
+    /// and the times of 1024 keyframes of each track or of all of them.
+    pub(super) fn sample_times(&self) -> BTreeSet<Real> {
+        const DISTANCES: u16 = 256;
+        const KEYS: usize = 1024;
+        let keys = self.tracks.iter().flat_map(|track| {
+            let step = track.keys.len().div_ceil(KEYS).max(1);
+            track.keys.iter().step_by(step).map(|key| key.time)
+        });
+        let distance = self.duration / i64::from(DISTANCES);
+        keys.chain((0..DISTANCES).map(|index| distance * i64::from(index)))
+            .collect()
     }
 
     /// Calls a function with this animation as the library's [`Animation`].

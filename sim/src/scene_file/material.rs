@@ -7,6 +7,7 @@ use super::schema::MATERIAL;
 use super::suggest::suggestion;
 use super::table::Table;
 use super::value::Value;
+use crate::text::excerpt;
 
 const BLACK: Color<Real> = Color::gray(Real::ZERO);
 
@@ -81,14 +82,14 @@ impl MaterialNames<'_> {
                 .error("is beyond the 65536th material")
                 .help("remove materials that no object uses")),
             None => Err(value
-                .error(format!("there is no material `{name}`"))
+                .error(format!("there is no material `{}`", excerpt(name)))
                 .help(self.help_for(name))),
         }
     }
 
     fn help_for(&self, name: &str) -> String {
         if self.0.is_empty() {
-            format!("define it in a table [materials.{name}]")
+            format!("define it in a table [materials.{}]", excerpt(name))
         } else {
             suggestion(name, self.0.iter().copied(), "the materials are")
         }

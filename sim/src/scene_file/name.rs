@@ -1,6 +1,7 @@
 use super::error::LoadError;
 use super::table::Table;
 use super::value::Value;
+use crate::text::excerpt;
 
 /// Reads the `name` of an object or a light. Animation tracks refer to objects and lights by name.
 pub(super) fn name<'a>(table: &Table<'a>) -> Result<Option<Value<'a>>, LoadError> {
@@ -22,7 +23,7 @@ pub(super) fn check_unique<'n, 'a: 'n>(
         let text = name.text("a string")?;
         if seen.contains(&text) {
             return Err(name
-                .error(format!("the name `{text}` is already taken"))
+                .error(format!("the name `{}` is already taken", excerpt(text)))
                 .help("rename one of the two"));
         }
         seen.push(text);

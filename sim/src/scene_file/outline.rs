@@ -11,7 +11,7 @@ pub(super) struct Outline {
 }
 
 /// A key of a scene file, with its line number and its value. The value is written as in the file,
-/// but on one line.
+/// but on one line. A long value is cut, because the text of a table contains the text of its keys.
 #[derive(Clone, Debug)]
 pub(super) struct Entry {
     pub(super) path: String,
@@ -65,10 +65,25 @@ fn walk(
         _ => {}
     }
     let text = source.text.get(node.span()).unwrap_or_default();
-    let words: Vec<_> = text.split_whitespace().collect();
     entries.push(Entry {
         path,
-        text: words.join(" "),
+        text: one_line(text),
         line: source.line(node.span().start),
     });
+}
+
+/// Replaces all white space by single spaces, and cuts the text after about 100 bytes.
+fn one_line(text: &str) -> String {
+    const LENGTH: usize = 100;
+    let mut line = String::new();
+    for word in text.split_whitespace() {
+        if !line.is_empty() {
+            line.push(' ');
+        }
+        line.extend(word.chars().take(LENGTH));
+        if line.len() >= LENGTH {
+            break;
+        }
+    }
+    line
 }

@@ -32,6 +32,26 @@ impl SceneFile {
             .map_err(|error| self.explain_animation(error))
     }
 
+    /// Prepares frames over the whole animation, if the scene has one: at 256 times with equal
+    /// distances, and at 1024 keyframes of each track or at all of them.
+    ///
+    /// # Errors
+    /// Returns the line and key of the first keyframe whose value, or a value after it, is rejected.
+    pub fn check_frames(&self) -> Result<(), LoadError> {
+        let Some(animation) = &self.animation else {
+            return Ok(());
+        };
+        let mut animated = Box::new(AnimatedScene::new());
+        let mut buffer = Box::new(Buffer::new());
+        for time in animation.sample_times() {
+            let scene = self.frame(&mut animated, time)?;
+            buffer
+                .prepare(&scene)
+                .map_err(|error| self.explain_frame(error, time))?;
+        }
+        Ok(())
+    }
+
     /// Checks the animation's duration, keyframe times and targets.
     pub(super) fn check_animation(&self) -> Result<(), LoadError> {
         let Some(animation) = &self.animation else {

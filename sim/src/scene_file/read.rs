@@ -1,6 +1,7 @@
 use whitted::{Background, Camera, Color, Real, Scene};
 
 use super::animation::animation;
+use super::counts::check_counts;
 use super::error::LoadError;
 use super::file::SceneFile;
 use super::light::light;
@@ -10,6 +11,7 @@ use super::object::object;
 use super::outline::Outline;
 use super::schema::{BACKGROUND, CAMERA};
 use super::source::Source;
+use super::syntax;
 use super::table::Table;
 use super::target::targets;
 use super::value::Value;
@@ -19,8 +21,9 @@ const MAX_DEPTH: u8 = 32;
 
 /// Reads a whole scene file.
 pub(super) fn scene_file(source: &Source<'_>) -> Result<SceneFile, LoadError> {
-    let toml = source.table()?;
+    let toml = syntax::parse(source)?;
     let table = Table::root(source, toml.get_ref())?;
+    check_counts(&table)?;
     let title = table.get("title");
     let title = title.map(|value| value.text("a string")).transpose()?;
     let settings = settings(&table)?;

@@ -1,23 +1,30 @@
 use std::ops::Range;
 
-use toml::Spanned;
-use toml::de::DeTable;
-
 use super::error::LoadError;
 
-/// Text of a scene file. The text is needed to convert the byte offset of an error to a line
-/// number.
+/// Text of a scene file, with the offsets of its lines. The offsets convert the place of an error to
+/// a line number.
 pub(super) struct Source<'a> {
     /// File name in error messages.
     pub(super) name: &'a str,
     pub(super) text: &'a str,
+    /// Byte offset of each line end.
+    line_ends: Vec<usize>,
 }
 
 impl<'a> Source<'a> {
+    pub(super) fn new(name: &'a str, text: &'a str) -> Self {
+        let line_ends = text.match_indices('\n').map(|(offset, _)| offset);
+        Self {
+            name,
+            text,
+            line_ends: line_ends.collect(),
+        }
+    }
+
     /// Returns the line of a byte offset, counted from 1.
     pub(super) fn line(&self, offset: usize) -> usize {
-        let before = self.text.as_bytes().iter().take(offset);
-        1 + before.filter(|byte| **byte == b'\n').count()
+        1 + self.line_ends.partition_point(|end| *end < offset)
     }
 
     /// Returns an error about `key`, whose byte range in the file is given. If `key` is empty, the
@@ -35,27 +42,5 @@ impl<'a> Source<'a> {
             reason: reason.into(),
             help: None,
         }
-    }
-
-    /// Parses the text as TOML.
-    pub(super) fn table(&self) -> Result<Spanned<DeTable<'a>>, LoadError> {
-        DeTable::parse(self.text).map_err(|error| self.syntax_error(&error))
-    }
-
-    fn syntax_error(&self, error: &toml::de::Error) -> LoadError {
-        let place = error.span().unwrap_or_default();
-        if error.message() == "duplicate key" {
-            let key = self.text.get(place.clone()).unwrap_or_default();
-            return self
-                .error(&place, key, "is defined twice")
-                .help("remove or rename one of the two");
-        }
-        let rest = self.text.get(place.start..).unwrap_or_default();
-        let found = match rest.lines().next() {
-            Some("") | None => "the end of the line".to_owned(),
-            Some(found) => format!("`{found}`"),
-        };
-        self.error(&place, "", format!("{}, found {found}", error.message()))
-            .help("a scene is written in TOML: `key = value` lines under [table] headings")
     }
 }

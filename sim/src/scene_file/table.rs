@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use toml::de::{DeTable, DeValue};
 
+use super::alias::alias;
 use super::error::LoadError;
 use super::example::example;
 use super::schema::{SCENE, TableSchema};
@@ -96,6 +97,9 @@ impl<'a> Table<'a> {
     }
 
     fn unknown_key_help(&self, key: &str, name: &str, known: &[&'static str]) -> String {
+        if let Some(right) = alias(name, known, key) {
+            return format!("did you mean `{right}`?");
+        }
         if !self.path.is_empty() && SCENE.keys.contains(&key) {
             return format!("`{key}` belongs to the scene: write it above the first [table]");
         }

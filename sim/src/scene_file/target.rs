@@ -1,3 +1,4 @@
+use whitted::Real;
 use whitted::animation::Target;
 
 use super::light::NamedLight;
@@ -12,6 +13,24 @@ pub(super) enum ValueKind {
     Number,
     /// Angles of the camera: yaw, or yaw and pitch.
     Angles,
+}
+
+/// Largest magnitude of a coordinate.
+const FARTHEST: Real = Real::lit("16777216");
+
+/// Returns the smallest and the largest number that the values of a target may have, if there are
+/// limits. The prepared scene may have narrower limits.
+pub(super) fn limits(target: Target) -> Option<[Real; 2]> {
+    match target {
+        Target::CameraEye
+        | Target::CameraLookAt
+        | Target::ObjectPosition(_)
+        | Target::LightPosition(_) => Some([-FARTHEST, FARTHEST]),
+        Target::CameraFovy => Some(const { [Real::lit("1"), Real::lit("170")] }),
+        Target::ObjectRadius(_) => Some(const { [Real::lit("0.000001"), FARTHEST] }),
+        Target::LightColor(_) => Some(const { [Real::ZERO, Real::lit("256")] }),
+        _ => None,
+    }
 }
 
 /// An animation target and the path that names it in the file.

@@ -1,11 +1,12 @@
 use toml::Spanned;
-use toml::de::{DeInteger, DeValue};
+use toml::de::{DeArray, DeInteger, DeValue};
 use whitted::{Color, Real, Vec3};
 
 use super::error::LoadError;
 use super::example::example;
 use super::source::Source;
 use super::suggest::suggestion;
+use crate::text::excerpt;
 
 /// A value in a TOML file. Its type is not checked yet.
 pub(super) struct Value<'a> {
@@ -23,23 +24,34 @@ impl<'a> Value<'a> {
         self.source.error(&self.node.span(), &self.path, reason)
     }
 
+    /// Returns the value as it is written in the file.
+    pub(super) fn source_text(&self) -> &'a str {
+        self.source.text.get(self.node.span()).unwrap_or_default()
+    }
+
     /// Returns the error for a value of the wrong type. `expected` describes the right type.
     pub(super) fn wrong_type(&self, expected: &str) -> LoadError {
         let node = self.node.get_ref();
-        let (found, is_number) = match node {
-            DeValue::String(text) => ("a string", parse_decimal(text).is_ok()),
-            DeValue::Integer(_) | DeValue::Float(_) => ("a number", false),
-            DeValue::Boolean(true) => ("`true`", false),
-            DeValue::Boolean(false) => ("`false`", false),
-            DeValue::Datetime(_) => ("a date", false),
-            DeValue::Array(_) => ("an array", false),
-            DeValue::Table(_) => ("a table", false),
+        let found = match node {
+            DeValue::String(_) => "a string",
+            DeValue::Integer(_) | DeValue::Float(_) => "a number",
+            DeValue::Boolean(true) => "`true`",
+            DeValue::Boolean(false) => "`false`",
+            DeValue::Datetime(_) => "a date",
+            DeValue::Array(_) => "an array",
+            DeValue::Table(_) => "a table",
         };
         let error = self.error_with_example(format!("must be {expected}, not {found}"));
-        if is_number && expected.contains("number") {
-            return error.help("remove the quotes");
+        match node.as_str() {
+            Some(text) if expected.contains("number") => match parse_decimal(text) {
+                Ok(_) => error.help("remove the quotes"),
+                Err(()) if parse_decimal(&text.replacen(',', ".", 1)).is_ok() => {
+                    error.help("remove the quotes, and write a decimal point, not a comma")
+                }
+                Err(()) => error,
+            },
+            _ => error,
         }
-        error
     }
 
     /// Returns an error about this value whose help shows a valid example.
@@ -75,7 +87,10 @@ impl<'a> Value<'a> {
         let integer = match self.node.get_ref() {
             DeValue::Integer(integer) => integer,
             DeValue::Float(float) => {
-                return Err(self.error_with_example(format!("must be a whole number, not {float}")));
+                return Err(self.error_with_example(format!(
+                    "must be a whole number, not {}",
+                    excerpt(float.as_str())
+                )));
             }
             _ => return Err(self.wrong_type("a whole number")),
         };
@@ -84,7 +99,10 @@ impl<'a> Value<'a> {
             .and_then(|number| u8::try_from(number).ok())
             .filter(|number| *number <= max)
             .ok_or_else(|| {
-                self.error_with_example(format!("must be from 0 to {max}, not {integer}"))
+                self.error_with_example(format!(
+                    "must be from 0 to {max}, not {}",
+                    excerpt(&integer.to_string())
+                ))
             })
     }
 
@@ -109,7 +127,14 @@ impl<'a> Value<'a> {
     /// Reads an array of `N` numbers. `expected` describes the array in error messages.
     pub(super) fn numbers<const N: usize>(&self, expected: &str) -> Result<[Real; N], LoadError> {
         let mut numbers = [Real::ZERO; N];
-        for (number, value) in numbers.iter_mut().zip(self.array::<N>(expected)?) {
+        let values = self.array::<N>(expected).map_err(|error| {
+            let has_commas = self.nodes(expected).is_ok_and(|nodes| nodes.len() == 2 * N);
+            match has_commas {
+                true => error.help("write decimal points in numbers, for example 0.05"),
+                false => error,
+            }
+        })?;
+        for (number, value) in numbers.iter_mut().zip(values) {
             *number = value.number()?;
         }
         Ok(numbers)
@@ -120,25 +145,38 @@ impl<'a> Value<'a> {
         &self,
         expected: &str,
     ) -> Result<[Value<'a>; N], LoadError> {
-        let values = self.list(expected)?;
-        let count = values.len();
-        values.try_into().map_err(|_| {
-            self.error_with_example(format!("must be {expected}, not an array of {count}"))
-        })
+        let count = self.nodes(expected)?.len();
+        let wrong_count =
+            || self.error_with_example(format!("must be {expected}, not an array of {count}"));
+        // The count is checked first, because an array may be as long as the file.
+        if count != N {
+            return Err(wrong_count());
+        }
+        self.list(expected)?.try_into().map_err(|_| wrong_count())
     }
 
     /// Reads an array of any length. `expected` describes the array in error messages.
     pub(super) fn list(&self, expected: &str) -> Result<Vec<Value<'a>>, LoadError> {
-        let DeValue::Array(nodes) = self.node.get_ref() else {
-            return Err(self.wrong_type(expected));
-        };
         let element = |(index, node)| Value {
             source: self.source,
             path: format!("{}[{index}]", self.path),
             key: self.key,
             node,
         };
-        Ok(nodes.iter().enumerate().map(element).collect())
+        Ok(self
+            .nodes(expected)?
+            .iter()
+            .enumerate()
+            .map(element)
+            .collect())
+    }
+
+    /// Returns the elements of an array. `expected` describes the array in error messages.
+    pub(super) fn nodes(&self, expected: &str) -> Result<&'a DeArray<'a>, LoadError> {
+        match self.node.get_ref() {
+            DeValue::Array(nodes) => Ok(nodes),
+            _ => Err(self.wrong_type(expected)),
+        }
     }
 
     /// Reads a string. `expected` describes the string in error messages.
@@ -171,13 +209,19 @@ impl<'a> Value<'a> {
         let found = choices.iter().find(|(name, _)| *name == text);
         found.map(|(_, choice)| *choice).ok_or_else(|| {
             let names = choices.iter().map(|(name, _)| *name);
-            self.error(format!("`{text}` is not {expected}"))
+            self.error(format!("`{}` is not {expected}", excerpt(text)))
                 .help(suggestion(text, names, choices_are))
         })
     }
 }
 
+/// Longest decimal number, in bytes.
+const MAX_DIGITS: usize = 100;
+
 fn parse_decimal(text: &str) -> Result<Real, ()> {
+    if text.len() > MAX_DIGITS {
+        return Err(());
+    }
     text.replace('_', "").parse().map_err(drop)
 }
 

@@ -164,8 +164,9 @@ fovy_deg = 33
 [animation]
 duration = 1
 [[animation.tracks]]
-target = "camera.fovy_deg"
-keys = [[0, 33], [1, 0]]
+target = "camera.eye"
+keys = [[0, [0, 1, 8]],
+  [1, [0, 1, 0]]]
 "#;
     fs::write(here.0.join("vanishing.toml"), scene)?;
     let args = [
@@ -183,7 +184,8 @@ keys = [[0, 33], [1, 0]]
     let once = scene.replace("duration = 1", "duration = 1\nloop = false");
     fs::write(here.0.join("vanishing.toml"), once)?;
     let output = here.error(&args)?;
-    let expected = "error: vanishing.toml:11: animation.tracks[0].keys: at 1.000 s, fovy_deg must be from 1 to";
+    let expected =
+        "error: vanishing.toml:12: animation.tracks[0].keys[1]: at 1.000 s, look_at must differ";
     assert!(output.starts_with(expected), "{output}");
     Ok(())
 }

@@ -9,7 +9,7 @@ fn rejects_bad_input() -> Outcome {
     let here = Directory::new("bad")?;
     fs::write(here.0.join("bad.toml"), "colour = 1\n")?;
     fs::write(here.0.join("bad.scene"), [0xff, 0xfe])?;
-    let cases: [(&[&str], &str); 25] = [
+    let cases: [(&[&str], &str); 30] = [
         (
             &["render", "bad.toml"],
             "error: bad.toml:1: colour: a scene has no such key\n  help: ",
@@ -43,6 +43,26 @@ fn rejects_bad_input() -> Outcome {
         (
             &["render", "whitted", "--max-depth", "33"],
             "error: invalid value '33' for '--max-depth <N>': 33 is not in 0..=32\n",
+        ),
+        (
+            &["render", "whitted", "--max-depth", "-1"],
+            "error: invalid value '-1' for '--max-depth <N>': -1 is not in 0..=32\n",
+        ),
+        (
+            &["render", "whitted", "--scale", "-2"],
+            "error: invalid value '-2' for '--scale <N>': -2 is not in 1..=16\n",
+        ),
+        (
+            &["animate", "whitted", "-o", "x.gif", "--frames", "-3"],
+            "error: invalid value '-3' for '--frames <N>': -3 is not in 1..=65535\n",
+        ),
+        (
+            &["render", "whitted", "--size", "-1x2"],
+            "error: invalid value '-1x2' for '--size <WxH>': write width and",
+        ),
+        (
+            &["render", "whitted", "--size", "4097x1"],
+            "error: invalid value '4097x1' for '--size <WxH>': width and height must be from 1 to 4096\n",
         ),
         (
             &["render", "whitted", "--min-weight", "2"],

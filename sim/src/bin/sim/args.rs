@@ -5,7 +5,7 @@ mod picture;
 
 use std::path::PathBuf;
 
-use clap::{Parser, Subcommand, value_parser};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand, value_parser};
 use embedded_graphics::geometry::Size;
 
 use crate::display::Display;
@@ -22,6 +22,23 @@ pub(crate) struct Args {
     pub(crate) command: Option<Command>,
 }
 
+impl Args {
+    /// Parses the command line. If an option or the command is invalid, prints an error and exits.
+    ///
+    /// All options accept negative numbers, so that the error for such a number names the range of
+    /// the option. By default, clap takes `-1` for an option and advises to write `-- -1`.
+    pub(crate) fn from_command_line() -> Self {
+        let command = Self::command().mut_subcommands(|command| {
+            command.mut_args(|arg| match arg.get_id().as_str() {
+                "size" => arg.allow_hyphen_values(true),
+                _ if arg.get_action().takes_values() => arg.allow_negative_numbers(true),
+                _ => arg,
+            })
+        });
+        Self::from_arg_matches(&command.get_matches()).unwrap_or_else(|error| error.exit())
+    }
+}
+
 #[derive(Subcommand)]
 pub(crate) enum Command {
     /// Render a scene to a PNG.
@@ -33,10 +50,18 @@ pub(crate) enum Command {
         /// A PNG of the same size.
         b: PathBuf,
     },
-    /// Check that a scene can be rendered, and print its memory use.
+    /// Check that a scene can be rendered and animated, and print its memory use.
+    ///
+    /// Prints warnings about scenes that look black or odd: scenes without a light, a light or the
+    /// eye inside an opaque object, materials that have no effect.
     Check {
         /// A scene file, or a compiled scene.
         scene: PathBuf,
+    },
+    /// Write a scene file with comments, to start a scene of your own.
+    New {
+        /// File to write, NAME or NAME.toml. An existing file is not changed.
+        name: PathBuf,
     },
     /// Render an animated scene to a GIF, an animated PNG, or numbered PNGs.
     ///

@@ -16,6 +16,7 @@ mod format;
 mod gallery;
 mod linear;
 mod memory;
+mod new;
 mod number;
 mod open;
 mod outcome;
@@ -34,13 +35,11 @@ mod view;
 
 use std::process::ExitCode;
 
-use clap::Parser;
-
 use args::{Args, Command};
 use outcome::Outcome;
 
 fn main() -> ExitCode {
-    match run(Args::parse()) {
+    match run(Args::from_command_line()) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("error: {error}");
@@ -57,6 +56,7 @@ fn run(args: Args) -> Outcome {
         Some(Command::Compare { a, b }) => compare::compare(&a, &b),
         Some(Command::Check { scene }) => scene::check(&scene),
         Some(Command::Compile { scene, output }) => scene::compile(&scene, &output),
+        Some(Command::New { name }) => new::new(&name),
         Some(Command::Explain(options)) => explain::explain(&options),
         Some(Command::Gallery(options)) => gallery::gallery(&options),
         Some(Command::Displays) => {

@@ -4,7 +4,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use whitted::{DecodeError, PreparedScene};
-use whitted_sim::scene_file::{self, Buffer, SceneFile};
+use whitted_sim::input;
+use whitted_sim::scene_file::{self, Buffer, LoadError, SceneFile};
 
 use crate::args::Quality;
 use crate::outcome::Outcome;
@@ -33,7 +34,8 @@ impl Scene {
         {
             return Ok(Self::file(scene_file::load(path)?));
         }
-        let bytes = fs::read(path).map_err(|error| format!("{name}: cannot be read: {error}"))?;
+        let bytes =
+            input::read(path).map_err(|error| format!("{name}: cannot be read: {error}"))?;
         // Text without the signature of a compiled scene is parsed as TOML.
         match (decode(&bytes), std::str::from_utf8(&bytes)) {
             (Err(DecodeError::NotAScene), Ok(text)) => {
@@ -69,6 +71,23 @@ impl Scene {
         let mut scene = self.prepare(buffer)?;
         apply_overrides(&mut scene, quality)?;
         Ok(scene)
+    }
+
+    /// Checks frames over the whole animation, if the scene has one.
+    pub(crate) fn check_frames(&self) -> Outcome {
+        match self {
+            Self::File(file) => Ok(file.check_frames()?),
+            Self::Compiled { .. } => Ok(()),
+        }
+    }
+
+    /// Returns warnings about parts of the scene that have no effect. Compiled scenes have no
+    /// warnings, because they have no lines and names.
+    pub(crate) fn warnings(&self, prepared: &PreparedScene<'_>) -> Vec<LoadError> {
+        match self {
+            Self::File(file) => file.warnings(prepared),
+            Self::Compiled { .. } => Vec::new(),
+        }
     }
 
     /// Compiles the scene to its binary format.

@@ -10,10 +10,12 @@ use crate::memory::memory;
 use crate::open::Scene;
 use crate::outcome::Outcome;
 
-/// Checks a scene and prints its counts and memory use.
+/// Checks a scene and its animation. Prints counts and memory use, and warnings about parts of the
+/// scene that have no effect.
 pub(crate) fn check(path: &Path) -> Outcome {
     let scene = Scene::open(path)?;
     let mut buffer = Box::new(Buffer::new());
+    scene.check_frames()?;
     let prepared = scene.prepare(&mut buffer)?;
     let counts = prepared.counts();
     let SceneCounts {
@@ -31,6 +33,9 @@ pub(crate) fn check(path: &Path) -> Outcome {
     let bytes = memory(counts);
     println!("prepared: {bytes} bytes, SceneBuffer<{objects}, {lights}, {materials}>");
     println!("compiled: {} bytes", prepared.encoded_len());
+    for warning in scene.warnings(&prepared) {
+        eprintln!("warning: {warning}");
+    }
     Ok(())
 }
 

@@ -6,6 +6,7 @@ use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 use scene_serial::{Answer, frame, frame_len};
 use serial2::SerialPort;
+use whitted_sim::text::excerpt;
 
 use crate::args::Send;
 use crate::open::Scene;
@@ -85,11 +86,15 @@ fn exchange(port: &SerialPort, compiled: &[u8]) -> Result<&'static str, String> 
                 ticket: received,
                 why,
             }) if received == ticket => {
-                return Err(format!("the board refuses the scene: {why}{REFUSED}"));
+                return Err(format!(
+                    "the board refuses the scene: {}{REFUSED}",
+                    excerpt(why)
+                ));
             }
             // This answer may concern an earlier transfer that was interrupted, so the loop
             // continues.
             Some(Answer::Broken { why }) => {
+                let why = excerpt(why);
                 damaged = Some(format!("the scene did not arrive: {why}{DAMAGED}"));
             }
             _ => {}

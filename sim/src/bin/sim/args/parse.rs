@@ -3,8 +3,9 @@
 use embedded_graphics::geometry::Size;
 use whitted::Real;
 
-/// Largest width and height of a picture.
-const MAX_SIDE: u32 = 8192;
+/// Largest width and height of a picture. Larger pictures would take more than 0.5 GB of memory, and
+/// more than the antialiasing renderer supports.
+const MAX_SIDE: u32 = 4096;
 
 /// Parses `WIDTHxHEIGHT`.
 pub(super) fn size(text: &str) -> Result<Size, String> {
