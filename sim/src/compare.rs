@@ -2,8 +2,12 @@
 
 use std::error::Error;
 use std::fmt;
+use std::path::Path;
+
+use whitted::Color;
 
 use crate::picture::Picture;
+use crate::png16::Rows;
 
 /// Difference of 1/255 in 16-bit samples: 65535 / 255.
 const STEP: u16 = 257;
@@ -28,21 +32,58 @@ pub fn compare(a: &Picture, b: &Picture) -> Result<Comparison, SizesDiffer> {
     if sizes[0] != sizes[1] || a.pixels.len() != b.pixels.len() {
         return Err(SizesDiffer(sizes));
     }
-    let (mut squares, mut within) = (0_u64, 0_usize);
-    for (a, b) in a.pixels.iter().zip(&b.pixels) {
-        let differences = [a.r.abs_diff(b.r), a.g.abs_diff(b.g), a.b.abs_diff(b.b)];
-        within += usize::from(differences.iter().all(|difference| *difference <= STEP));
-        squares += differences
-            .map(|difference| u64::from(difference).pow(2))
-            .iter()
-            .sum::<u64>();
+    let mut sums = Sums::default();
+    sums.add(&a.pixels, &b.pixels);
+    Ok(sums.comparison())
+}
+
+/// Compares two PNG files. The sizes in the headers are compared before the pixels are read, and the
+/// files are read row by row.
+///
+/// # Errors
+/// Returns an error if a file cannot be read or if the sizes differ.
+pub fn compare_files(a: &Path, b: &Path) -> Result<Comparison, Box<dyn Error>> {
+    let (mut a, mut b) = (Rows::open(a)?, Rows::open(b)?);
+    if a.size() != b.size() {
+        return Err(SizesDiffer([a.size(), b.size()]).into());
     }
-    let count = a.pixels.len() as f64;
-    let mean = squares as f64 / (3.0 * count * f64::from(STEP).powi(2));
-    Ok(Comparison {
-        psnr: 10.0 * (255.0 * 255.0 / mean).log10(),
-        within: within as f64 / count,
-    })
+    let mut sums = Sums::default();
+    while let (Some(a), Some(b)) = (a.next_row()?, b.next_row()?) {
+        sums.add(&a, &b);
+    }
+    Ok(sums.comparison())
+}
+
+/// Sums over the pixels of two pictures.
+#[derive(Default)]
+struct Sums {
+    /// Squared differences of all samples.
+    squares: u64,
+    /// Number of pixels whose channels differ by at most 1/255.
+    within: usize,
+    /// Number of all pixels.
+    count: usize,
+}
+
+impl Sums {
+    fn add(&mut self, a: &[Color<u16>], b: &[Color<u16>]) {
+        for (a, b) in a.iter().zip(b) {
+            let differences = [a.r.abs_diff(b.r), a.g.abs_diff(b.g), a.b.abs_diff(b.b)];
+            self.within += usize::from(differences.iter().all(|difference| *difference <= STEP));
+            let squares = differences.map(|difference| u64::from(difference).pow(2));
+            self.squares += squares.iter().sum::<u64>();
+            self.count += 1;
+        }
+    }
+
+    fn comparison(&self) -> Comparison {
+        let count = self.count as f64;
+        let mean = self.squares as f64 / (3.0 * count * f64::from(STEP).powi(2));
+        Comparison {
+            psnr: 10.0 * (255.0 * 255.0 / mean).log10(),
+            within: self.within as f64 / count,
+        }
+    }
 }
 
 impl fmt::Display for Comparison {

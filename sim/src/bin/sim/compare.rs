@@ -1,12 +1,12 @@
 use std::path::Path;
 
-use whitted_sim::{compare, png16};
+use whitted_sim::compare;
 
 use crate::outcome::Outcome;
 
 /// Prints the difference between two PNGs.
 pub(crate) fn compare(a: &Path, b: &Path) -> Outcome {
-    let comparison = compare::compare(&png16::read(a)?, &png16::read(b)?)?;
+    let comparison = compare::compare_files(a, b)?;
     println!("{comparison}");
     Ok(())
 }
