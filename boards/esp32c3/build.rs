@@ -3,6 +3,6 @@
 //! The environment variable `SCENE` is the path of the scene file, relative to the project
 //! root.
 
-fn main() -> Result<(), String> {
-    whitted_sim::flash::scene("../..", "scenes/whitted.toml")
+fn main() {
+    whitted_sim::flash::scene("../..", "scenes/whitted.toml");
 }

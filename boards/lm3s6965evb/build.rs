@@ -4,7 +4,7 @@
 //! root. The paths are separated like folders in `PATH`. Without `SCENE`, the build script
 //! compiles the scenes listed below.
 
-fn main() -> Result<(), String> {
+fn main() {
     println!("cargo::rerun-if-changed=../../memory.x");
     whitted_sim::flash::scenes(
         "../..",
@@ -15,5 +15,5 @@ fn main() -> Result<(), String> {
             "scenes/sphereflake.toml",
             "scenes/tinted_diamond.toml",
         ],
-    )
+    );
 }

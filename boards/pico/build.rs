@@ -4,7 +4,7 @@
 //! root. The paths are separated like folders in `PATH`. Without `SCENE`, the build script
 //! compiles the scenes listed below.
 
-fn main() -> Result<(), String> {
+fn main() {
     println!("cargo::rerun-if-changed=memory.x");
     whitted_sim::flash::scenes(
         "../..",
@@ -13,5 +13,5 @@ fn main() -> Result<(), String> {
             "scenes/four_spheres.toml",
             "scenes/every_surface.toml",
         ],
-    )
+    );
 }

@@ -8,7 +8,7 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
-use crate::scene_file;
+use crate::{input, scene_file};
 
 /// Compiles a scene to `scene.bin` in Cargo's `OUT_DIR`, which firmware includes:
 ///
@@ -19,12 +19,12 @@ use crate::scene_file;
 /// The environment variable `SCENE` names the scene file. If this variable is not set, the file is
 /// `default`.
 ///
-/// # Errors
-/// Returns a message with the line and key of an error in the scene, or with the file that cannot
-/// be read or written.
-pub fn scene(folder: &str, default: &str) -> Result<(), String> {
+/// If the scene has an error, or if a file cannot be read or written, the build fails, and Cargo
+/// prints the message.
+pub fn scene(folder: &str, default: &str) {
     let name = scene_variable().unwrap_or_else(|| default.into());
-    write("scene.bin", &compiled(&Path::new(folder).join(name))?)
+    let compiled = compiled(&Path::new(folder).join(name));
+    report(compiled.and_then(|bytes| write("scene.bin", &bytes)));
 }
 
 /// Compiles scenes to a file that firmware includes:
@@ -40,10 +40,13 @@ pub fn scene(folder: &str, default: &str) -> Result<(), String> {
 /// The environment variable `SCENE` lists the scene files, with the separator that `PATH` has. If
 /// this variable is not set, the files are `defaults`.
 ///
-/// # Errors
-/// Returns a message with the line and key of an error in a scene, or with the file that cannot be
-/// read or written.
-pub fn scenes(folder: &str, defaults: &[&str]) -> Result<(), String> {
+/// If a scene has an error, or if a file cannot be read or written, the build fails, and Cargo prints
+/// the message.
+pub fn scenes(folder: &str, defaults: &[&str]) {
+    report(write_scenes(folder, defaults));
+}
+
+fn write_scenes(folder: &str, defaults: &[&str]) -> Result<(), String> {
     let files: Vec<PathBuf> = match scene_variable() {
         Some(list) => env::split_paths(&list).collect(),
         None => defaults.iter().map(PathBuf::from).collect(),
@@ -62,6 +65,14 @@ const COUNTS: whitted::scene::SceneCounts = whitted::scene::SceneCounts::of_all(
     write("scenes.rs", text.as_bytes())
 }
 
+/// Tells Cargo that the build failed. Cargo prints each line of the message after the name of the
+/// package.
+fn report(outcome: Result<(), String>) {
+    for line in outcome.err().iter().flat_map(|message| message.lines()) {
+        println!("cargo::error={line}");
+    }
+}
+
 /// Returns the environment variable `SCENE`.
 fn scene_variable() -> Option<std::ffi::OsString> {
     println!("cargo::rerun-if-env-changed=SCENE");
@@ -74,9 +85,8 @@ fn compiled(scene: &Path) -> Result<Vec<u8>, String> {
         Some(extension) if extension == "toml" => {
             scene_file::compile(scene).map_err(|error| error.to_string())
         }
-        _ => {
-            fs::read(scene).map_err(|error| format!("{}: cannot be read: {error}", scene.display()))
-        }
+        _ => input::read(scene)
+            .map_err(|error| format!("{}: cannot be read: {error}", scene.display())),
     }
 }
 
