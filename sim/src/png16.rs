@@ -4,7 +4,7 @@ mod error;
 mod rows;
 
 use std::fs::File;
-use std::io::BufWriter;
+use std::io::{BufWriter, Write};
 use std::path::Path;
 
 use png::{BitDepth, ColorType, ScaledFloat};
@@ -21,8 +21,12 @@ pub fn write(path: impl AsRef<Path>, picture: &Picture) -> Result<(), PngError> 
     encode(BufWriter::new(file), picture).map_err(|error| PngError::new(path, error))
 }
 
-fn encode(file: BufWriter<File>, picture: &Picture) -> Result<(), png::EncodingError> {
-    let mut encoder = png::Encoder::new(file, picture.width, picture.height);
+/// Encodes a picture like [`write()`] and flushes the writer.
+///
+/// # Errors
+/// Returns an error if the writer fails or if the picture has no pixels.
+pub fn encode(writer: impl Write, picture: &Picture) -> Result<(), png::EncodingError> {
+    let mut encoder = png::Encoder::new(writer, picture.width, picture.height);
     encoder.set_color(ColorType::Rgb);
     encoder.set_depth(BitDepth::Sixteen);
     encoder.set_source_gamma(ScaledFloat::new(1.0));

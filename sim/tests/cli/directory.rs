@@ -16,6 +16,23 @@ impl Directory {
         Ok(Self(path))
     }
 
+    /// Creates an empty directory.
+    pub(crate) fn empty(name: &str) -> Result<Self, Box<dyn Error>> {
+        let directory = Self::new(name)?;
+        fs::remove_dir_all(&directory.0)?;
+        Self::new(name)
+    }
+
+    /// Returns the sorted names of the files in the directory, including hidden files.
+    pub(crate) fn files(&self) -> Result<Vec<String>, Box<dyn Error>> {
+        let mut names = Vec::new();
+        for entry in fs::read_dir(&self.0)? {
+            names.push(entry?.file_name().to_string_lossy().into_owned());
+        }
+        names.sort();
+        Ok(names)
+    }
+
     fn run(&self, args: &[&str]) -> Result<Output, Box<dyn Error>> {
         Ok(self.command(args).output()?)
     }

@@ -9,14 +9,14 @@ fn rejects_bad_input() -> Outcome {
     let here = Directory::new("bad")?;
     fs::write(here.0.join("bad.toml"), "colour = 1\n")?;
     fs::write(here.0.join("bad.scene"), [0xff, 0xfe])?;
-    let cases: [(&[&str], &str); 30] = [
+    let cases: [(&[&str], &str); 36] = [
         (
             &["render", "bad.toml"],
             "error: bad.toml:1: colour: a scene has no such key\n  help: ",
         ),
         (&["check", "bad.toml"], "error: bad.toml:1: colour: "),
         (
-            &["compile", "bad.toml", "-o", "x"],
+            &["compile", "bad.toml", "-o", "x.scene"],
             "error: bad.toml:1: colour: ",
         ),
         (
@@ -74,7 +74,19 @@ fn rejects_bad_input() -> Outcome {
         ),
         (
             &["render", "whitted", "--size", "2x2", "-o", "no/x.png"],
-            "error: no/x.png: ",
+            "error: no/x.png: cannot be written: ",
+        ),
+        (
+            &["render", "whitted", "--size", "2x2", "-o", "x.jpg"],
+            "error: x.jpg: not the name of a PNG\n  help: write FILE.png\n",
+        ),
+        (
+            &["render", "whitted", "--size", "2x2", "-o", "x"],
+            "error: x: not the name of a PNG\n",
+        ),
+        (
+            &["compile", "whitted", "-o", "x.png"],
+            "error: x.png: not the name of a compiled scene\n  help: write FILE.scene or FILE.bin\n",
         ),
         (
             &["render", "whitted", "--display", "ssd1360"],
@@ -107,6 +119,18 @@ fn rejects_bad_input() -> Outcome {
         (
             &["animate", "whitted", "-o", "no/x.gif"],
             "error: no/x.gif: cannot be written: ",
+        ),
+        (
+            &["animate", "whitted", "-o", "x.gif", "--fps", "60"],
+            "error: x.gif: a GIF has at most 50 frames per second\n  help: use --fps 50 or ",
+        ),
+        (
+            &["animate", "whitted", "-o", "x.png", "--frames", "9000"],
+            "error: x.png: a frame of an APNG lasts at least 1 ms\n  help: use a smaller ",
+        ),
+        (
+            &["animate", "whitted", "-o", "x.gif", "--container", "apng"],
+            "error: x.gif: `--container` differs from the file name\n  help: ",
         ),
         (
             &["animate", "whitted", "-o", "x.gif", "--fps", "0"],

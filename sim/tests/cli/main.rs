@@ -6,7 +6,14 @@ mod directory;
 mod errors;
 mod frames;
 mod inputs;
+#[cfg(unix)]
+mod interrupts;
 mod new;
+mod outputs;
 mod render;
 mod scene;
 mod stats;
+#[cfg(unix)]
+mod streams;
+#[cfg(unix)]
+mod terminal;

@@ -5,12 +5,12 @@ mod picture;
 
 use std::path::PathBuf;
 
-use clap::{CommandFactory, FromArgMatches, Parser, Subcommand, value_parser};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum, value_parser};
 use embedded_graphics::geometry::Size;
 
 use crate::display::Display;
 use parse::size;
-pub(crate) use picture::{DisplayOptions, Order, Passes, Quality};
+pub(crate) use picture::{DisplayOptions, Edges, Order, Passes, Quality};
 
 /// Renders scenes on the host, with the same arithmetic as on microcontrollers.
 ///
@@ -70,9 +70,9 @@ pub(crate) enum Command {
     Animate(Animate),
     /// Compile a scene to the binary format that microcontrollers decode.
     Compile {
-        /// A scene file.
+        /// A scene file, or `-` for stdin.
         scene: PathBuf,
-        /// File to write.
+        /// File to write, FILE.scene or FILE.bin, or `-` for stdout.
         #[arg(short, long, value_name = "FILE")]
         output: PathBuf,
     },
@@ -91,7 +91,7 @@ pub(crate) enum Command {
     Explain(Explain),
     /// Render scenes to PNGs in a directory, and write an HTML page that shows the PNGs.
     Gallery(Gallery),
-    /// List the displays that `render` and `view` simulate.
+    /// List the displays that `render`, `animate`, `gallery` and `view` simulate.
     Displays,
     /// Show scenes in a window, as on a display (needs the feature `window`).
     View(View),
@@ -99,9 +99,9 @@ pub(crate) enum Command {
 
 #[derive(clap::Args)]
 pub(crate) struct Render {
-    /// A scene file, a compiled scene, or the name of a scene in scenes/.
+    /// A scene file, a compiled scene, the name of a scene in scenes/, or `-` for stdin.
     pub(crate) scene: PathBuf,
-    /// PNG to write [default: named after the scene].
+    /// PNG to write, or `-` for stdout [default: named after the scene].
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
     #[command(flatten)]
@@ -111,12 +111,8 @@ pub(crate) struct Render {
     #[command(flatten)]
     pub(crate) passes: Passes,
     /// Write linear colors with 16 bits per channel, instead of a display's colors.
-    #[arg(long, conflicts_with_all = ["format", "dither", "transfer", "order", "limit"])]
+    #[arg(long, conflicts_with_all = ["format", "dither", "transfer", "display", "order", "limit"])]
     pub(crate) linear16: bool,
-    /// Simulate the size, format and colors of a display. `sim displays` lists the displays.
-    #[arg(long, value_name = "NAME", value_parser = Display::named)]
-    #[arg(conflicts_with_all = ["size", "format", "linear16"])]
-    pub(crate) display: Option<Display>,
     /// Width and height of a display pixel in the PNG, in pixels.
     #[arg(
         long,
@@ -134,13 +130,16 @@ pub(crate) struct Render {
 
 #[derive(clap::Args)]
 pub(crate) struct Animate {
-    /// A scene file, or the name of a scene in scenes/.
+    /// A scene file, the name of a scene in scenes/, or `-` for stdin.
     pub(crate) scene: PathBuf,
-    /// File to write, a GIF (FILE.gif) or an APNG (FILE.apng or FILE.png), or a directory for
-    /// numbered PNGs.
+    /// File to write, a GIF (FILE.gif) or an APNG (FILE.apng or FILE.png), a directory for numbered
+    /// PNGs, or `-` for stdout.
     #[arg(short, long, value_name = "FILE|DIR")]
     pub(crate) output: PathBuf,
-    /// Frames per second [default: 20].
+    /// File format for stdout and pipes [default: gif]. The names of files show their format.
+    #[arg(long, value_enum)]
+    pub(crate) container: Option<Container>,
+    /// Frames per second, at most 50 in a GIF [default: 20].
     #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..=100))]
     pub(crate) fps: Option<u16>,
     /// Number of frames [default: the duration times the frame rate].
@@ -150,6 +149,17 @@ pub(crate) struct Animate {
     pub(crate) quality: Quality,
     #[command(flatten)]
     pub(crate) display_options: DisplayOptions,
+    #[command(flatten)]
+    pub(crate) edges: Edges,
+}
+
+/// File formats of animations.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Container {
+    /// At most 256 colors and 50 frames per second
+    Gif,
+    /// An animated PNG with all colors
+    Apng,
 }
 
 #[derive(clap::Args)]
@@ -185,6 +195,10 @@ pub(crate) struct Gallery {
     /// Width and height of each picture in pixels.
     #[arg(long, value_name = "WxH", default_value = "640x480", value_parser = size)]
     pub(crate) size: Size,
+    #[command(flatten)]
+    pub(crate) display_options: DisplayOptions,
+    #[command(flatten)]
+    pub(crate) edges: Edges,
 }
 
 #[derive(clap::Args)]

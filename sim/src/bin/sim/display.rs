@@ -2,12 +2,16 @@
 
 mod look;
 
+use std::io::Write;
+
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics_simulator::BinaryColorTheme;
 use whitted_sim::scene_file;
 
+use crate::console::Console;
 use crate::format::Format;
+use crate::outcome::Outcome;
 
 /// Size, format and appearance of a display.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -116,6 +120,11 @@ impl Display {
         display("plain", (size.width, size.height), format, "", "")
     }
 
+    /// Returns the same display with another size.
+    pub(crate) const fn resized(self, size: Size) -> Self {
+        Self { size, ..self }
+    }
+
     /// Returns the preset with a name.
     pub(crate) fn named(name: &str) -> Result<Self, String> {
         let names = || DISPLAYS.iter().map(|display| display.name);
@@ -132,16 +141,18 @@ impl Display {
 }
 
 /// Prints the presets, one per line.
-pub(crate) fn list() {
+pub(crate) fn list() -> Outcome {
     for display in DISPLAYS {
         let Size { width, height } = display.size;
-        println!(
+        writeln!(
+            Console::Stdout,
             "{:8} {:8} {:7} {:8} {}",
             display.name,
             format!("{width}x{height}"),
             display.format.name(),
             display.controller,
             display.note
-        );
+        )?;
     }
+    Ok(())
 }

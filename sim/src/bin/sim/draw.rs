@@ -4,13 +4,15 @@ use std::time::Duration;
 
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
-use embedded_graphics_simulator::{OutputImage, OutputSettings};
-use whitted::render::{AaSample, AntialiasedRenderer, RenderProgress, Step};
+use embedded_graphics_simulator::{OutputImage, SimulatorDisplay};
+use whitted::render::{AaSample, AntialiasedRenderer, Output, RenderProgress, Step};
 use whitted::{PreparedScene, Renderer};
 
 use whitted_sim::cost::Work;
 
 use crate::args::{DisplayOptions, Order, Passes};
+use crate::display::Display;
+use crate::estimate;
 use crate::outcome::Outcome;
 use crate::panel::Panel;
 use crate::progress::Progress;
@@ -22,38 +24,67 @@ pub(crate) struct Drawing {
     pub(crate) time: Duration,
 }
 
-/// Draws a scene on a display.
-pub(crate) fn draw(
-    scene: &PreparedScene<'_>,
-    size: Size,
-    options: DisplayOptions,
-    passes: Passes,
-) -> Outcome<Drawing> {
+/// Settings of a picture.
+#[derive(Clone, Copy)]
+pub(crate) struct Settings {
+    pub(crate) display: Display,
+    pub(crate) output: Output,
+    pub(crate) passes: Passes,
+}
+
+impl Settings {
+    /// Combines options of the command line. The picture has the given size unless the user names a
+    /// display.
+    pub(crate) fn new(size: Size, options: DisplayOptions, passes: impl Into<Passes>) -> Self {
+        Self {
+            display: options.display(size),
+            output: options.output(),
+            passes: passes.into(),
+        }
+    }
+}
+
+/// Draws a scene on a display. Each display pixel becomes a square of `scale` by `scale` pixels.
+pub(crate) fn draw(scene: &PreparedScene<'_>, settings: &Settings, scale: u32) -> Outcome<Drawing> {
+    let Settings {
+        display, passes, ..
+    } = settings;
     let blocks = passes.blocks().iter();
-    let lines: u32 = blocks.map(|block| size.height.div_ceil(*block)).sum();
+    let lines: u32 = blocks
+        .map(|block| display.size.height.div_ceil(*block))
+        .sum();
+    estimate::announce(scene, display.size, 1);
     let mut progress = Progress::new(lines);
-    let (image, work) = draw_frame(scene, size, options, passes, &mut progress)?;
+    let (picture, work) = draw_frame(scene, settings, &mut progress)?;
     let time = progress.finish();
-    Ok(Drawing { image, work, time })
+    Ok(Drawing {
+        image: display.appearance(picture, scale),
+        work,
+        time,
+    })
 }
 
 /// Draws a scene on a display, and advances a progress bar. An animation uses one progress bar for
 /// all frames.
 pub(crate) fn draw_frame(
     scene: &PreparedScene<'_>,
-    size: Size,
-    options: DisplayOptions,
-    passes: Passes,
+    settings: &Settings,
     progress: &mut Progress,
-) -> Outcome<(OutputImage<Rgb888>, Work)> {
-    let mut panel = Panel::new(size, options.format);
-    let work = match passes.samples() {
-        None => draw_passes(scene, options, passes, &mut panel, progress)?,
+) -> Outcome<(SimulatorDisplay<Rgb888>, Work)> {
+    let Settings {
+        display,
+        output,
+        passes,
+    } = *settings;
+    let size = display.size;
+    let mut panel = Panel::new(size, display.format);
+    let work = match passes.edges.samples() {
+        None => draw_passes(scene, output, passes, &mut panel, progress)?,
         Some(samples) => {
             let (work, mut memory) = (Work::new(scene, size), two_lines(size));
             let mut renderer =
                 AntialiasedRenderer::with_observer(scene, size, samples, &mut memory, work)?;
-            renderer.set_output(options.output());
+            renderer.set_output(output);
             for y in 0..size.height {
                 renderer.draw_line(y, &mut panel)?;
                 progress.line();
@@ -61,20 +92,18 @@ pub(crate) fn draw_frame(
             renderer.observer().clone()
         }
     };
-    // With the default settings, the simulator does not change the pixels of the display.
-    let settings = OutputSettings::default();
-    Ok((panel.display.to_rgb_output_image(&settings), work))
+    Ok((panel.display, work))
 }
 
 fn draw_passes(
     scene: &PreparedScene<'_>,
-    options: DisplayOptions,
+    output: Output,
     passes: Passes,
     panel: &mut Panel,
     progress: &mut Progress,
 ) -> Outcome<Work> {
     let mut renderer = Renderer::with_observer(scene, panel.size(), Work::new(scene, panel.size()));
-    renderer.set_output(options.output());
+    renderer.set_output(output);
     let area = panel.bounding_box();
     let mut steps = match passes.order {
         Order::Scanlines => RenderProgress::scanlines(area),

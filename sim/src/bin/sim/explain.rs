@@ -1,8 +1,11 @@
+use std::io::Write;
+
 use embedded_graphics::geometry::Size;
 use whitted_sim::ray_tree;
 use whitted_sim::scene_file::Buffer;
 
 use crate::args::Explain;
+use crate::console::Console;
 use crate::open::Scene;
 use crate::outcome::Outcome;
 
@@ -22,6 +25,6 @@ pub(crate) fn explain(options: &Explain) -> Outcome {
         )
         .into());
     };
-    print!("{}", tree.draw(|object| scene.describe(object)));
-    Ok(())
+    let text = tree.draw(|object| scene.describe(object));
+    Ok(write!(Console::Stdout, "{text}")?)
 }

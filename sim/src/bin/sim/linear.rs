@@ -10,6 +10,7 @@ use whitted_sim::picture::Picture;
 use whitted_sim::render;
 
 use crate::draw::two_lines;
+use crate::estimate;
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 
@@ -27,6 +28,7 @@ pub(crate) fn linear(
     size: Size,
     samples: Option<SampleCount>,
 ) -> Outcome<Linear> {
+    estimate::announce(scene, size, 1);
     let mut progress = Progress::new(size.height);
     let work = Work::new(scene, size);
     let (picture, work) = match samples {

@@ -2,15 +2,18 @@
 //! to boards. It also compares pictures and prints ray trees.
 //!
 //! ```text
-//! args ── open (scene) ── draw or linear ──> display ──> PNG, terminal, window
+//! args ── open (scene) ── draw or linear ──> display ──> output (PNG), terminal, window
 //! ```
+#![warn(clippy::print_stderr, clippy::print_stdout)]
 
 mod animate;
 mod args;
 mod boards;
 mod compare;
+mod console;
 mod display;
 mod draw;
+mod estimate;
 mod explain;
 mod format;
 mod gallery;
@@ -20,6 +23,7 @@ mod new;
 mod number;
 mod open;
 mod outcome;
+mod output;
 mod panel;
 mod progress;
 mod render;
@@ -33,16 +37,21 @@ mod view;
 #[path = "without_window.rs"]
 mod view;
 
+use std::io::Write;
 use std::process::ExitCode;
 
 use args::{Args, Command};
+use console::Console;
 use outcome::Outcome;
+use output::ClosedPipe;
 
 fn main() -> ExitCode {
     match run(Args::from_command_line()) {
         Ok(()) => ExitCode::SUCCESS,
+        Err(error) if error.is::<ClosedPipe>() => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("error: {error}");
+            // No error of stderr can be reported.
+            _ = writeln!(Console::Stderr, "error: {error}");
             ExitCode::from(2)
         }
     }
@@ -59,10 +68,7 @@ fn run(args: Args) -> Outcome {
         Some(Command::New { name }) => new::new(&name),
         Some(Command::Explain(options)) => explain::explain(&options),
         Some(Command::Gallery(options)) => gallery::gallery(&options),
-        Some(Command::Displays) => {
-            display::list();
-            Ok(())
-        }
+        Some(Command::Displays) => display::list(),
         Some(Command::Send(options)) => send::send(&options),
         Some(Command::View(options)) => view::view(&options),
     }

@@ -1,9 +1,10 @@
 //! `sim new`: writes a scene to start with.
 
-use std::fs::File;
+use std::fs::{self, File};
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
+use crate::console::Console;
 use crate::outcome::Outcome;
 
 const SCENE: &[u8] = include_bytes!("new/scene.toml");
@@ -18,10 +19,15 @@ pub(crate) fn new(name: &Path) -> Outcome {
         }
         _ => format!("{shown}: cannot be written: {error}"),
     })?;
-    file.write_all(SCENE)
-        .map_err(|error| format!("{shown}: cannot be written: {error}"))?;
-    println!("wrote {shown}; render it with `cargo sim render {shown}`");
-    Ok(())
+    file.write_all(SCENE).map_err(|error| {
+        // A part of a scene is of no use. The error of the file is the one that matters.
+        _ = fs::remove_file(&path);
+        format!("{shown}: cannot be written: {error}")
+    })?;
+    Ok(writeln!(
+        Console::Stdout,
+        "wrote {shown}; render it with `cargo sim render {shown}`"
+    )?)
 }
 
 /// Appends the extension of scene files if a name lacks it. The rest of the name may have dots.

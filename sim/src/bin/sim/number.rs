@@ -16,6 +16,15 @@ pub(crate) fn duration(seconds: f64) -> String {
     }
 }
 
+/// Formats a duration of a minute or more: `2 minutes`, `3 hours`.
+pub(crate) fn long_duration(seconds: f64) -> String {
+    match seconds / 60.0 {
+        minutes @ ..1.5 => format!("{minutes:.0} minute"),
+        minutes @ ..119.5 => format!("{minutes:.0} minutes"),
+        minutes => format!("{:.0} hours", minutes / 60.0),
+    }
+}
+
 /// Formats a number with at least two significant digits.
 pub(crate) fn two_digits(number: f64) -> String {
     let decimals = match number {
@@ -40,5 +49,11 @@ mod tests {
     fn formats_durations_with_two_digits() {
         let texts = [31.4, 9.96, 3.08, 0.304, 0.0514].map(duration);
         assert_eq!(texts, ["31 s", "10 s", "3.1 s", "0.30 s", "51 ms"]);
+    }
+
+    #[test]
+    fn formats_long_durations() {
+        let texts = [61.0, 100.0, 7100.0, 7200.0].map(long_duration);
+        assert_eq!(texts, ["1 minute", "2 minutes", "118 minutes", "2 hours"]);
     }
 }

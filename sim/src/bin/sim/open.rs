@@ -1,6 +1,8 @@
 //! Finds and reads scene files and compiled scenes.
 
+use std::ffi::OsStr;
 use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 
 use whitted::{DecodeError, PreparedScene};
@@ -9,6 +11,9 @@ use whitted_sim::scene_file::{self, Buffer, LoadError, SceneFile};
 
 use crate::args::Quality;
 use crate::outcome::Outcome;
+
+/// Path that names stdin.
+const STDIN: &str = "-";
 
 /// A scene file or a compiled scene.
 pub(crate) enum Scene {
@@ -27,6 +32,11 @@ impl Scene {
     /// Reads a scene from a file. If the file name does not end in .toml, the content decides
     /// whether the file is a scene file or a compiled scene.
     pub(crate) fn read(path: &Path) -> Outcome<Self> {
+        if path == Path::new(STDIN) {
+            let bytes = input::read_from(io::stdin());
+            let bytes = bytes.map_err(|error| format!("stdin: cannot be read: {error}"))?;
+            return Self::parse("stdin".to_owned(), bytes);
+        }
         let name = path.display().to_string();
         if path
             .extension()
@@ -36,6 +46,10 @@ impl Scene {
         }
         let bytes =
             input::read(path).map_err(|error| format!("{name}: cannot be read: {error}"))?;
+        Self::parse(name, bytes)
+    }
+
+    fn parse(name: String, bytes: Vec<u8>) -> Outcome<Self> {
         // Text without the signature of a compiled scene is parsed as TOML.
         match (decode(&bytes), std::str::from_utf8(&bytes)) {
             (Err(DecodeError::NotAScene), Ok(text)) => {
@@ -155,9 +169,21 @@ pub(crate) fn all_scenes() -> Outcome<Vec<PathBuf>> {
     Ok(paths)
 }
 
-/// Finds a scene: the path itself, the path relative to the project's root, or a file or name in
+/// Returns the name of the files that a command makes of a scene: the file name of the scene
+/// without its extension.
+pub(crate) fn stem(scene: &Path) -> &OsStr {
+    match scene == Path::new(STDIN) {
+        true => OsStr::new("stdin"),
+        false => scene.file_stem().unwrap_or(scene.as_os_str()),
+    }
+}
+
+/// Finds a scene: `-` for stdin, the path itself, the path relative to the project's root, or a file or name in
 /// scenes/.
 pub(crate) fn find(path: &Path) -> Outcome<PathBuf> {
+    if path == Path::new(STDIN) {
+        return Ok(path.to_owned());
+    }
     let [root, scenes] = project_folders();
     let mut named = scenes.join(path).into_os_string();
     named.push(".toml");

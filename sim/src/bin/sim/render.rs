@@ -6,12 +6,13 @@ use embedded_graphics::geometry::Size;
 use whitted_sim::scene_file::Buffer;
 use whitted_sim::{png16, render as library};
 
-use crate::args::{DisplayOptions, Passes, Render};
-use crate::display::Display;
-use crate::draw::draw;
+use crate::args::{DisplayOptions, Edges, Render};
+use crate::console::Console;
+use crate::draw::{Settings, draw};
 use crate::linear::linear;
-use crate::open::Scene;
+use crate::open::{Scene, find, stem};
 use crate::outcome::Outcome;
+use crate::output::{FileType, Output, io_error, write_png};
 use crate::{report, terminal};
 
 /// Renders scenes/whitted.toml to whitted.png and shows it in the terminal.
@@ -19,57 +20,57 @@ pub(crate) fn default_scene() -> Outcome {
     let scene = Scene::open(Path::new("whitted"))?;
     let mut buffer = Box::new(Buffer::new());
     let prepared = scene.prepare(&mut buffer)?;
-    let drawing = draw(
-        &prepared,
-        Size::new(320, 240),
-        DisplayOptions::default(),
-        Passes::default(),
-    )?;
+    let path = Path::new("whitted.png");
+    let output = Output::create(path, &FileType::PNG, &[])?;
+    let size = Size::new(320, 240);
+    let settings = Settings::new(size, DisplayOptions::default(), Edges::default());
+    let drawing = draw(&prepared, &settings, 1)?;
+    write_png(&drawing.image, output)?;
     terminal::show(&drawing.image)?;
-    report::save(&drawing.image, Path::new("whitted.png"))?;
-    Ok(())
+    report::wrote(Console::Stdout, path)
 }
 
 /// Renders a scene to a PNG.
 pub(crate) fn render(options: &Render) -> Outcome {
-    let scene = Scene::open(&options.scene)?;
+    let path = find(&options.scene)?;
+    let scene = Scene::read(&path)?;
     let mut buffer = Box::new(Buffer::new());
     let prepared = scene.prepare_for(&options.quality, &mut buffer)?;
+    let file = options.output.clone();
+    let file = file.unwrap_or_else(|| default_output(&path));
+    let console = Console::beside(&file);
+    let output = Output::create(&file, &FileType::PNG, &[path])?;
     let size = options.quality.size;
-    let samples = options.passes.samples();
-    let output = options
-        .output
-        .clone()
-        .unwrap_or_else(|| default_output(&options.scene));
+    let samples = options.passes.edges.samples();
     let checksum = if options.linear16 {
         let linear = linear(&prepared, size, samples)?;
-        png16::write(&output, &linear.picture)?;
-        report::wrote(&output);
+        let picture = &linear.picture;
+        output.write(|file| Ok(png16::encode(file, picture).map_err(io_error)?))?;
+        report::wrote(console, &file)?;
         if options.stats {
-            report::stats(&linear.work, linear.time)?;
+            report::stats(console, &linear.work, linear.time)?;
         }
-        library::checksum(&linear.picture)
+        library::checksum(picture)
     } else {
-        let display = options.display;
-        let display =
-            display.unwrap_or_else(|| Display::plain(size, options.display_options.format));
-        let display_options = options.display_options.with_format(display.format);
-        let drawing = draw(&prepared, display.size, display_options, options.passes)?;
-        report::save(&display.appearance(&drawing.image, options.scale), &output)?;
+        let settings = Settings::new(size, options.display_options, options.passes);
+        let drawing = draw(&prepared, &settings, options.scale)?;
+        write_png(&drawing.image, output)?;
+        report::wrote(console, &file)?;
         if !options.stats {
             return Ok(());
         }
-        report::stats(&drawing.work, drawing.time)?;
+        report::stats(console, &drawing.work, drawing.time)?;
         // The checksum is computed from 16-bit linear samples, but the picture has the display's
         // color format. The scene is therefore rendered a second time.
-        library::checksum(&linear(&prepared, display.size, samples)?.picture)
+        library::checksum(&linear(&prepared, settings.display.size, samples)?.picture)
     };
-    report::checksum(checksum);
-    Ok(())
+    report::checksum(console, checksum)
 }
 
 /// Returns the default output path, which is a PNG in the current directory with the scene's name.
+/// The name may contain dots.
 fn default_output(scene: &Path) -> PathBuf {
-    let stem = scene.file_stem().unwrap_or(scene.as_os_str());
-    Path::new(stem).with_extension("png")
+    let mut name = stem(scene).to_owned();
+    name.push(".png");
+    name.into()
 }

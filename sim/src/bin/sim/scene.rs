@@ -1,14 +1,16 @@
 //! Implements `sim check` and `sim compile`.
 
-use std::fs;
+use std::io::Write;
 use std::path::Path;
 
 use whitted::scene::SceneCounts;
 use whitted_sim::scene_file::Buffer;
 
+use crate::console::Console;
 use crate::memory::memory;
-use crate::open::Scene;
+use crate::open::{Scene, find};
 use crate::outcome::Outcome;
+use crate::output::{FileType, Output};
 
 /// Checks a scene and its animation. Prints counts and memory use, and warnings about parts of the
 /// scene that have no effect.
@@ -29,12 +31,16 @@ pub(crate) fn check(path: &Path) -> Outcome {
         count(lights, "light"),
         count(materials, "material"),
     ];
-    println!("{}: ok, {}", path.display(), counted.join(", "));
+    let mut console = Console::Stdout;
+    writeln!(console, "{}: ok, {}", path.display(), counted.join(", "))?;
     let bytes = memory(counts);
-    println!("prepared: {bytes} bytes, SceneBuffer<{objects}, {lights}, {materials}>");
-    println!("compiled: {} bytes", prepared.encoded_len());
+    writeln!(
+        console,
+        "prepared: {bytes} bytes, SceneBuffer<{objects}, {lights}, {materials}>"
+    )?;
+    writeln!(console, "compiled: {} bytes", prepared.encoded_len())?;
     for warning in scene.warnings(&prepared) {
-        eprintln!("warning: {warning}");
+        writeln!(Console::Stderr, "warning: {warning}")?;
     }
     Ok(())
 }
@@ -46,10 +52,13 @@ fn count(count: usize, name: &str) -> String {
 
 /// Compiles a scene to a file.
 pub(crate) fn compile(path: &Path, output: &Path) -> Outcome {
-    let bytes = Scene::open(path)?.compile()?;
-    let length = bytes.len();
-    let name = output.display();
-    fs::write(output, &bytes).map_err(|error| format!("{name}: cannot be written: {error}"))?;
-    println!("wrote {name}: {length} bytes");
+    let scene = find(path)?;
+    let bytes = Scene::read(&scene)?.compile()?;
+    let mut console = Console::beside(output);
+    let file = Output::create(output, &FileType::COMPILED_SCENE, &[scene])?;
+    file.write(|file| Ok(file.write_all(&bytes)?))?;
+    if console == Console::Stdout {
+        writeln!(console, "wrote {}: {} bytes", output.display(), bytes.len())?;
+    }
     Ok(())
 }

@@ -1,6 +1,6 @@
 //! `sim send`: sends a scene to a board over a serial port and prints the answer.
 
-use std::io::ErrorKind;
+use std::io::{ErrorKind, Write};
 use std::path::Path;
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
@@ -9,6 +9,7 @@ use serial2::SerialPort;
 use whitted_sim::text::excerpt;
 
 use crate::args::Send;
+use crate::console::Console;
 use crate::open::Scene;
 use crate::outcome::Outcome;
 
@@ -33,8 +34,7 @@ pub(crate) fn send(options: &Send) -> Outcome {
     };
     let port = open(path)?;
     let answer = exchange(&port, &compiled).map_err(|why| format!("{}: {why}", path.display()))?;
-    println!("{}: {answer}", path.display());
-    Ok(())
+    Ok(writeln!(Console::Stdout, "{}: {answer}", path.display())?)
 }
 
 fn open(path: &Path) -> Result<SerialPort, String> {

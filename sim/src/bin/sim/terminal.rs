@@ -1,3 +1,5 @@
+mod kitty;
+
 use std::env;
 use std::io::{IsTerminal, stdout};
 
@@ -13,9 +15,15 @@ const MIN_WIDTH: u16 = 40;
 
 /// Shows a picture if stdout is a terminal. Otherwise prints nothing, so that no escape sequences
 /// are written to a file or pipe.
+///
+/// The function does not query the terminal, because a terminal that does not answer would block
+/// the program. Environment variables tell what the terminal supports.
 pub(crate) fn show(picture: &OutputImage<Rgb888>) -> Outcome {
     if !stdout().is_terminal() || variable("TERM") == "dumb" {
         return Ok(());
+    }
+    if supports_kitty() {
+        return kitty::show(picture);
     }
     let view = picture.as_image_buffer();
     let (width, height) = view.dimensions();
@@ -24,7 +32,7 @@ pub(crate) fn show(picture: &OutputImage<Rgb888>) -> Outcome {
     };
     let config = viuer::Config {
         absolute_offset: false,
-        use_kitty: supports_kitty(),
+        use_kitty: false,
         width: (viuer::terminal_size().0 < MIN_WIDTH).then_some(MIN_WIDTH.into()),
         ..viuer::Config::default()
     };
@@ -33,9 +41,6 @@ pub(crate) fn show(picture: &OutputImage<Rgb888>) -> Outcome {
 }
 
 /// Returns true if the terminal supports kitty's graphics protocol.
-///
-/// The function only reads environment variables. It does not query the terminal, because a
-/// terminal that does not answer would block the program.
 fn supports_kitty() -> bool {
     let names = ["TERM", "TERM_PROGRAM"].map(variable);
     names

@@ -1,86 +1,90 @@
-use std::fs::File;
-use std::io::BufWriter;
-use std::path::{Path, PathBuf};
+use std::io::{self, Write};
 
 use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::primitives::Rectangle;
 use gif::{DisposalMethod, Encoder, EncodingError, Frame, Repeat};
 
 use super::difference::{changed_area, crop};
-use super::film::{Film, unwritable};
+use super::frames::Frames;
 use super::palette::Palette;
+use super::samples::samples;
 use super::schedule::Schedule;
 use crate::outcome::Outcome;
 
 /// Unit of frame delays: 1/100 s.
 const UNITS_PER_SECOND: u32 = 100;
 
-/// Writes a GIF. All frames stay in memory until the end, because they share one palette.
-struct Gif {
-    path: PathBuf,
-    file: BufWriter<File>,
+/// Shortest delay of a frame. Most viewers show a frame with a shorter delay for 10 units.
+const MIN_DELAY: u64 = 2;
+
+/// Returns the delays of the frames, or an error if a GIF cannot have these delays.
+pub(super) fn delays(schedule: &Schedule) -> Result<Vec<u16>, String> {
+    let delays = schedule.delays(UNITS_PER_SECOND);
+    if delays.iter().any(|delay| *delay < MIN_DELAY) {
+        let help = "use --fps 50 or fewer --frames, or write an animated PNG, FILE.apng";
+        return Err(format!(
+            "a GIF has at most 50 frames per second\n  help: {help}"
+        ));
+    }
+    let delays = delays.into_iter().map(u16::try_from);
+    delays.collect::<Result<_, _>>().map_err(|_| {
+        let help = "use a larger --fps or --frames, or write an animated PNG, FILE.apng";
+        format!("a frame of a GIF lasts at most 655.35 s\n  help: {help}")
+    })
+}
+
+/// Writes a GIF. All frames share a palette, which is learned from samples of the frames before the
+/// first frame is written.
+pub(super) fn write(frames: &mut Frames<'_>, delays: &[u16], file: &mut dyn Write) -> Outcome {
+    let mut palette = Palette::new(&samples(frames)?, frames.is_dithered());
+    let size = frames.size();
+    let mut encoder = start(file, size, &palette, frames.schedule.looping).map_err(io_error)?;
+    let transparent = palette.transparent();
+    let mut previous = None;
+    for (index, delay) in delays.iter().enumerate() {
+        let image = frames.draw(index)?;
+        let indices = palette.indices(image.as_image_buffer().as_raw(), size.width);
+        drop(image);
+        let (area, buffer) = difference(previous.as_deref(), &indices, size, transparent);
+        let frame = Frame {
+            delay: *delay,
+            dispose: DisposalMethod::Keep,
+            transparent: Some(transparent),
+            left: area.top_left.x as u16,
+            top: area.top_left.y as u16,
+            width: area.size.width as u16,
+            height: area.size.height as u16,
+            buffer: buffer.into(),
+            ..Frame::default()
+        };
+        encoder.write_frame(&frame).map_err(io_error)?;
+        previous = Some(indices);
+    }
+    // This call writes the end of the file.
+    encoder.into_inner().map_err(io_error)?;
+    Ok(())
+}
+
+fn start<'w>(
+    file: &'w mut dyn Write,
     size: Size,
-    delays: Vec<u16>,
+    palette: &Palette,
     looping: bool,
-    frames: Vec<Vec<u8>>,
-}
-
-pub(super) fn film(path: &Path, size: Size, schedule: &Schedule) -> Outcome<Box<dyn Film>> {
-    let file = File::create(path).map_err(|error| unwritable(path, error))?;
-    let frames = 0..schedule.times.len();
-    Ok(Box::new(Gif {
-        path: path.to_owned(),
-        file: BufWriter::new(file),
-        size,
-        delays: frames
-            .map(|frame| schedule.delay(frame, UNITS_PER_SECOND))
-            .collect(),
-        looping: schedule.looping,
-        frames: Vec::new(),
-    }))
-}
-
-impl Film for Gif {
-    fn add(&mut self, pixels: &[u8]) -> Outcome {
-        self.frames.push(pixels.to_vec());
-        Ok(())
+) -> Result<Encoder<&'w mut dyn Write>, EncodingError> {
+    // The width and the height fit in 16 bits, because the command line limits them to 8192 pixels.
+    let [width, height] = [size.width, size.height].map(|side| side as u16);
+    let mut encoder = Encoder::new(file, width, height, &palette.colors())?;
+    if looping {
+        encoder.set_repeat(Repeat::Infinite)?;
     }
-
-    fn finish(self: Box<Self>) -> Outcome {
-        let path = self.path.clone();
-        Ok(self.write().map_err(|error| unwritable(&path, error))?)
-    }
+    Ok(encoder)
 }
 
-impl Gif {
-    fn write(self) -> Result<(), EncodingError> {
-        // The width and the height fit in 16 bits, because the command line limits them to 8192
-        // pixels.
-        let [width, height] = [self.size.width, self.size.height].map(|side| side as u16);
-        let mut palette = Palette::new(&self.frames);
-        let mut encoder = Encoder::new(self.file, width, height, &palette.colors())?;
-        if self.looping {
-            encoder.set_repeat(Repeat::Infinite)?;
-        }
-        let transparent = palette.transparent();
-        let mut previous = None;
-        for (pixels, delay) in self.frames.iter().zip(self.delays) {
-            let indices = palette.indices(pixels);
-            let (area, buffer) = difference(previous.as_deref(), &indices, self.size, transparent);
-            encoder.write_frame(&Frame {
-                delay,
-                dispose: DisposalMethod::Keep,
-                transparent: Some(transparent),
-                left: area.top_left.x as u16,
-                top: area.top_left.y as u16,
-                width: area.size.width as u16,
-                height: area.size.height as u16,
-                buffer: buffer.into(),
-                ..Frame::default()
-            })?;
-            previous = Some(indices);
-        }
-        Ok(())
+/// Returns the error of the file that a GIF is written to.
+fn io_error(error: EncodingError) -> io::Error {
+    match error {
+        EncodingError::Io(error) => error,
+        other => io::Error::other(other),
     }
 }
 

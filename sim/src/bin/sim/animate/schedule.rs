@@ -67,14 +67,19 @@ impl Schedule {
         })
     }
 
-    /// Returns the duration of a frame. The unit is 1/`per_second` of a second.
+    /// Returns the durations of the frames. The unit is 1/`per_second` of a second.
     ///
     /// A frame lasts from the end of the previous frame to its own end. These two times are rounded
     /// instead of the duration, so rounding errors do not add up.
-    pub(super) fn delay(&self, frame: usize, per_second: u32) -> u16 {
-        let end = |frames: usize| to_units(self.interval * Real::from_num(frames), per_second);
-        let delay = end(frame + 1) - end(frame);
-        u16::try_from(delay).unwrap_or(u16::MAX)
+    pub(super) fn delays(&self, per_second: u32) -> Vec<u64> {
+        let end = |frames: usize| {
+            to_units(
+                self.interval.saturating_mul(Real::from_num(frames)),
+                per_second,
+            )
+        };
+        let frames = 0..self.times.len();
+        frames.map(|frame| end(frame + 1) - end(frame)).collect()
     }
 }
 
@@ -115,9 +120,9 @@ mod tests {
     #[test]
     fn rounding_of_delays_does_not_add_up() -> Outcome {
         let schedule = Schedule::new(&FileAnimation::single_orbit(), Some(30), None)?;
-        let delays: Vec<u16> = (0..120).map(|frame| schedule.delay(frame, 100)).collect();
+        let delays = schedule.delays(100);
         assert_eq!(delays[..4], [3, 4, 3, 3]);
-        assert_eq!(delays.iter().sum::<u16>(), 400);
+        assert_eq!(delays.iter().sum::<u64>(), 400);
         Ok(())
     }
 }

@@ -7,6 +7,7 @@ use whitted::Real;
 use whitted::render::{Output, SampleCount};
 
 use super::parse::{real, size};
+use crate::display::Display;
 use crate::format::Format;
 
 /// Size of the picture and limits of the ray tree.
@@ -28,19 +29,24 @@ pub(crate) struct Quality {
 pub(crate) struct DisplayOptions {
     /// Color format of the display.
     #[arg(long, value_enum, default_value_t)]
-    pub(crate) format: Format,
-    /// Dithering of formats with fewer than 8 bits per channel.
+    format: Format,
+    /// Dithering of GIFs and of formats with fewer than 8 bits per channel.
     #[arg(long, value_enum, default_value_t)]
     dither: Dither,
     /// Encoding of linear light in the display's values.
     #[arg(long, value_enum, default_value_t)]
     transfer: Transfer,
+    /// Simulate the size, format and colors of a display. `sim displays` lists the displays.
+    #[arg(long, value_name = "NAME", value_parser = Display::named)]
+    #[arg(conflicts_with_all = ["size", "format"])]
+    display: Option<Display>,
 }
 
 impl DisplayOptions {
-    /// Returns these options with another display format.
-    pub(crate) fn with_format(self, format: Format) -> Self {
-        Self { format, ..self }
+    /// Returns the display. It is a plain display of the given size if the user names no display.
+    pub(crate) fn display(self, size: Size) -> Display {
+        let plain = || Display::plain(size, self.format);
+        self.display.unwrap_or_else(plain)
     }
 
     /// Returns the transfer function and dithering as the library's [`Output`].
@@ -62,24 +68,34 @@ impl DisplayOptions {
 #[derive(Clone, Copy, Debug, clap::Args)]
 pub(crate) struct Passes {
     /// Order in which the display receives its pixels.
-    #[arg(long, value_enum, default_value_t)]
+    #[arg(long, value_enum, default_value_t, conflicts_with = "antialias")]
     pub(crate) order: Order,
     /// Stop after N passes. Progressive order has five passes, and scanline order has one.
-    #[arg(long = "passes", value_name = "N", default_value_t = Self::ALL, value_parser = value_parser!(u8).range(1..=5))]
+    #[arg(long = "passes", value_name = "N", default_value_t = Self::ALL, conflicts_with = "antialias")]
+    #[arg(value_parser = value_parser!(u8).range(1..=5))]
     pub(crate) limit: u8,
+    #[command(flatten)]
+    pub(crate) edges: Edges,
+}
+
+/// Option for the antialiasing of edges.
+#[derive(Clone, Copy, Debug, Default, clap::Args)]
+pub(crate) struct Edges {
     /// Smooth edges: trace N more rays through each pixel that differs from a neighbor.
-    #[arg(long, value_enum, value_name = "N", conflicts_with_all = ["order", "limit"])]
+    #[arg(long, value_enum, value_name = "N")]
     antialias: Option<Antialias>,
+}
+
+impl Edges {
+    /// Returns the number of additional rays for a pixel at an edge, or `None` without
+    /// antialiasing.
+    pub(crate) fn samples(self) -> Option<SampleCount> {
+        self.antialias.map(Into::into)
+    }
 }
 
 impl Passes {
     const ALL: u8 = 5;
-
-    /// Returns the number of additional rays for a pixel at an edge, or `None` without
-    /// antialiasing.
-    pub(crate) fn samples(&self) -> Option<SampleCount> {
-        self.antialias.map(Into::into)
-    }
 
     /// Each pass draws square blocks. Returns the side of the blocks of each pass, in pixels.
     pub(crate) fn blocks(&self) -> &'static [u32] {
@@ -96,7 +112,16 @@ impl Default for Passes {
         Self {
             order: Order::default(),
             limit: Self::ALL,
-            antialias: None,
+            edges: Edges::default(),
+        }
+    }
+}
+
+impl From<Edges> for Passes {
+    fn from(edges: Edges) -> Self {
+        Self {
+            edges,
+            ..Self::default()
         }
     }
 }

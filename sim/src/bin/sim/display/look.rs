@@ -1,6 +1,6 @@
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
-use embedded_graphics::primitives::{Circle, ContainsPoint, Rectangle};
+use embedded_graphics::primitives::{Circle, ContainsPoint};
 use embedded_graphics_simulator::{
     BinaryColorTheme, OutputImage, OutputSettings, SimulatorDisplay,
 };
@@ -13,20 +13,11 @@ impl Display {
     /// Each display pixel becomes a square of `scale` by `scale` pixels.
     pub(crate) fn appearance(
         &self,
-        image: &OutputImage<Rgb888>,
+        mut picture: SimulatorDisplay<Rgb888>,
         scale: u32,
     ) -> OutputImage<Rgb888> {
-        let buffer = image.as_image_buffer();
-        let (width, height) = buffer.dimensions();
-        let area = Rectangle::new(Point::zero(), Size::new(width, height));
-        let pixels = buffer.pixels().map(|pixel| {
-            let [r, g, b] = pixel.0;
-            Rgb888::new(r, g, b)
-        });
-        let mut display = SimulatorDisplay::<Rgb888>::new(area.size);
-        let Ok(()) = display.fill_contiguous(&area, pixels);
-        self.cut(&mut display);
-        display.to_rgb_output_image(&self.settings(scale))
+        self.cut(&mut picture);
+        picture.to_rgb_output_image(&self.settings(scale))
     }
 
     /// Blackens the pixels outside a round display.
@@ -60,8 +51,7 @@ mod tests {
     fn white_picture(name: &str, scale: u32) -> Result<OutputImage<Rgb888>, String> {
         let display = Display::named(name)?;
         let white = SimulatorDisplay::with_default_color(display.size, Rgb888::WHITE);
-        let image = white.to_rgb_output_image(&OutputSettings::default());
-        Ok(display.appearance(&image, scale))
+        Ok(display.appearance(white, scale))
     }
 
     fn pixel(image: &OutputImage<Rgb888>, x: u32, y: u32) -> [u8; 3] {
@@ -107,6 +97,6 @@ mod tests {
         let display = Display::plain(Size::new(2, 1), Format::Rgb888);
         let color = SimulatorDisplay::with_default_color(display.size, Rgb888::new(1, 2, 3));
         let image = color.to_rgb_output_image(&OutputSettings::default());
-        assert_eq!(display.appearance(&image, 1), image);
+        assert_eq!(display.appearance(color, 1), image);
     }
 }

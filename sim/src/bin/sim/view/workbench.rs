@@ -17,6 +17,7 @@ use crate::display::Display;
 use crate::format::Format;
 use crate::open;
 use crate::outcome::Outcome;
+use crate::output::{FileType, Output, write_png};
 
 /// The state of `sim view`: scenes, options, camera and picture. The state does not need a window.
 pub(super) struct Workbench {
@@ -205,9 +206,11 @@ impl Workbench {
         let (picture, display) = self.picture();
         let file = format!("{scene}-{}.png", display.name);
         let image = picture.to_rgb_output_image(&display.settings(1));
-        self.message = match image.save_png(&file) {
+        let inputs: Vec<_> = self.files().map(Path::to_owned).collect();
+        let output = Output::create(Path::new(&file), &FileType::PNG, &inputs);
+        self.message = match output.and_then(|output| write_png(&image, output)) {
             Ok(()) => format!("wrote {file}"),
-            Err(error) => format!("{file}: cannot be written: {error}"),
+            Err(error) => error.to_string(),
         };
     }
 }

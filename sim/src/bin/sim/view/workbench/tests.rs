@@ -5,8 +5,9 @@ use embedded_graphics::prelude::*;
 
 use super::*;
 use crate::args::{DisplayOptions, Passes};
-use crate::draw::draw;
+use crate::draw::{Settings, draw_frame};
 use crate::open::Scene;
+use crate::progress::Progress;
 
 const SCENE: &str = include_str!("../../../../../../scenes/whitted.toml");
 
@@ -62,14 +63,14 @@ fn rendered(path: &Path, display: &str) -> Outcome<Vec<Rgb888>> {
     let scene = Scene::open(path)?;
     let mut buffer = Box::new(Buffer::new());
     let prepared = scene.prepare(&mut buffer)?;
-    let display = Display::named(display)?;
-    let options = DisplayOptions::default().with_format(display.format);
-    let image = draw(&prepared, display.size, options, Passes::default())?.image;
-    let image = image.as_image_buffer();
-    Ok(image
-        .pixels()
-        .map(|pixel| Rgb888::new(pixel.0[0], pixel.0[1], pixel.0[2]))
-        .collect())
+    let settings = Settings {
+        display: Display::named(display)?,
+        output: DisplayOptions::default().output(),
+        passes: Passes::default(),
+    };
+    let (picture, _) = draw_frame(&prepared, &settings, &mut Progress::new(0_u32))?;
+    let points = picture.bounding_box().points();
+    Ok(points.map(|point| picture.get_pixel(point)).collect())
 }
 
 fn notice(workbench: &Workbench) -> String {

@@ -1,0 +1,105 @@
+use embedded_graphics::geometry::Size;
+use embedded_graphics::pixelcolor::Rgb888;
+use embedded_graphics_simulator::OutputImage;
+use whitted::{PreparedScene, Real};
+use whitted_sim::scene_file::{AnimatedScene, Buffer, SceneFile};
+
+use super::schedule::Schedule;
+use crate::args::Quality;
+use crate::display::Display;
+use crate::draw::{Settings, draw_frame};
+use crate::estimate;
+use crate::open::apply_overrides;
+use crate::outcome::Outcome;
+use crate::progress::Progress;
+
+/// Renders the frames of an animation one by one, so that only one frame is in memory.
+pub(super) struct Frames<'a> {
+    animation: Animation<'a>,
+    pub(super) schedule: &'a Schedule,
+    settings: Settings,
+    progress: Progress,
+}
+
+impl<'a> Frames<'a> {
+    /// Starts an animation, and announces it if it takes minutes.
+    pub(super) fn new(
+        file: &'a SceneFile,
+        quality: Quality,
+        settings: Settings,
+        schedule: &'a Schedule,
+    ) -> Outcome<Self> {
+        let mut animation = Animation {
+            file,
+            quality,
+            animated: Box::new(AnimatedScene::new()),
+            buffer: Box::new(Buffer::new()),
+        };
+        let (size, count) = (settings.display.size, schedule.times.len());
+        let first = animation.prepare(schedule.times.first().copied().unwrap_or_default())?;
+        estimate::announce(&first, size, count);
+        Ok(Self {
+            animation,
+            schedule,
+            settings,
+            progress: Progress::new(count as u64 * u64::from(size.height)),
+        })
+    }
+
+    /// Returns the number of frames.
+    pub(super) fn count(&self) -> usize {
+        self.schedule.times.len()
+    }
+
+    /// Returns the size of the frames.
+    pub(super) fn size(&self) -> Size {
+        self.settings.display.size
+    }
+
+    /// Returns true if the user did not turn dithering off.
+    pub(super) fn is_dithered(&self) -> bool {
+        self.settings.output.dither == whitted::render::Dither::Ordered
+    }
+
+    /// Renders the frame with an index.
+    pub(super) fn draw(&mut self, index: usize) -> Outcome<OutputImage<Rgb888>> {
+        self.draw_on(index, self.settings.display)
+    }
+
+    /// Renders the frame with an index in another size.
+    pub(super) fn sample(&mut self, index: usize, size: Size) -> Outcome<OutputImage<Rgb888>> {
+        self.progress.add_lines(size.height);
+        self.draw_on(index, self.settings.display.resized(size))
+    }
+
+    fn draw_on(&mut self, index: usize, display: Display) -> Outcome<OutputImage<Rgb888>> {
+        let time = self.schedule.times.get(index).copied().unwrap_or_default();
+        let prepared = self.animation.prepare(time)?;
+        let settings = Settings {
+            display,
+            ..self.settings
+        };
+        let (picture, _) = draw_frame(&prepared, &settings, &mut self.progress)?;
+        Ok(display.appearance(picture, 1))
+    }
+}
+
+/// An animated scene and the buffers for one of its frames.
+struct Animation<'a> {
+    file: &'a SceneFile,
+    quality: Quality,
+    animated: Box<AnimatedScene>,
+    buffer: Box<Buffer>,
+}
+
+impl Animation<'_> {
+    /// Prepares the scene at a time in seconds.
+    fn prepare(&mut self, time: Real) -> Outcome<PreparedScene<'_>> {
+        let Self { file, .. } = *self;
+        let scene = file.frame(&mut self.animated, time)?;
+        let prepared = self.buffer.prepare(&scene);
+        let mut prepared = prepared.map_err(|error| file.explain_frame(error, time))?;
+        apply_overrides(&mut prepared, &self.quality)?;
+        Ok(prepared)
+    }
+}
