@@ -3,6 +3,7 @@
 
 mod everywhere;
 mod fuzz;
+mod interrupts;
 mod miri;
 mod mutants;
 mod supply;
@@ -17,7 +18,7 @@ use crate::steps::{self, Step};
 use crate::{panics, root};
 
 /// Names of the checks and the functions that run them.
-const CHECKS: [Step; 11] = [
+const CHECKS: [Step; 12] = [
     ("panics", panics),
     ("damage", || {
         library_test(&["--test", "all", "compiled"], None)
@@ -31,6 +32,7 @@ const CHECKS: [Step; 11] = [
     ("bounds", bounds),
     ("soak", soak_cores),
     ("fuzz", fuzz::check),
+    ("interrupts", interrupts::check),
     ("supply", supply::check),
     ("mutants", mutants::check),
 ];
