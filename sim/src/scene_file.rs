@@ -18,6 +18,7 @@ mod explain_animation;
 mod file;
 mod file_animation;
 mod inside;
+mod keyframe;
 mod light;
 mod material;
 mod name;
@@ -36,6 +37,7 @@ mod target;
 mod texture;
 mod value;
 mod warning;
+mod warning_light;
 
 use std::io::{Error, ErrorKind};
 use std::path::Path;

@@ -1,5 +1,5 @@
-use whitted::Texture;
 use whitted::scene::Axis;
+use whitted::{MaterialId, Texture};
 
 use super::error::LoadError;
 use super::material::MaterialNames;
@@ -45,4 +45,12 @@ fn checker(value: &Value<'_>, materials: &MaterialNames<'_>) -> Result<Texture, 
             .choice(&AXES, "a pair of axes", "the pairs are")?,
         materials: [materials.find(&even)?, materials.find(&odd)?],
     })
+}
+
+/// Returns the materials of a texture.
+pub(super) fn materials_of(texture: &Texture) -> [MaterialId; 2] {
+    match *texture {
+        Texture::Uniform(material) => [material; 2],
+        Texture::Checker { materials, .. } => materials,
+    }
 }
