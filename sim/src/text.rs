@@ -29,6 +29,12 @@ pub fn escaped(text: &str) -> String {
     escaped
 }
 
+/// Escapes each line of a text like [`escaped`], and keeps the line ends.
+pub fn escaped_lines(text: &str) -> String {
+    let lines: Vec<_> = text.split('\n').map(escaped).collect();
+    lines.join("\n")
+}
+
 /// Returns true for control characters, line separators, and invisible characters that change the
 /// direction or the order of text.
 fn is_control(character: char) -> bool {
@@ -49,6 +55,7 @@ mod tests {
             escaped("a\u{1b}[2J\u{7}\n\u{9b}"),
             r"a\u{1b}[2J\u{7}\n\u{9b}"
         );
+        assert_eq!(escaped_lines("a\r\n\u{7}\n"), "a\\r\n\\u{7}\n");
         assert_eq!(escaped("\u{202e}lmot.\u{2028}"), r"\u{202e}lmot.\u{2028}");
         assert_eq!(escaped(r#"Höhe "é" \n"#), r#"Höhe "é" \n"#);
     }

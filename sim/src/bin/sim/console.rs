@@ -1,6 +1,8 @@
 use std::io::{self, ErrorKind, Write};
 use std::path::Path;
 
+use whitted_sim::text::escaped_lines;
+
 use crate::output::is_stdout;
 
 /// Stream for the messages of a command. Everything that the program prints goes through this type,
@@ -19,18 +21,26 @@ impl Console {
             false => Self::Stdout,
         }
     }
+
+    /// Writes bytes that may control the terminal, such as a picture.
+    pub(crate) fn write_control(self, bytes: &[u8]) -> io::Result<()> {
+        named(match self {
+            Self::Stdout => io::stdout().write_all(bytes),
+            Self::Stderr => io::stderr().write_all(bytes).or(Ok(())),
+        })
+    }
 }
 
+/// Escapes characters that control the terminal, because names of files and text from boards may
+/// contain them.
+///
 /// Ignores a closed pipe, because a command continues without a reader of its messages: a picture
 /// still has to be written. Also ignores all errors of stderr, since there is no place to report
 /// them.
 impl Write for Console {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        let written = match self {
-            Self::Stdout => io::stdout().write_all(bytes),
-            Self::Stderr => io::stderr().write_all(bytes).or(Ok(())),
-        };
-        named(written).map(|()| bytes.len())
+        let text = escaped_lines(&String::from_utf8_lossy(bytes));
+        self.write_control(text.as_bytes()).map(|()| bytes.len())
     }
 
     fn flush(&mut self) -> io::Result<()> {

@@ -18,9 +18,8 @@ pub(super) fn show(picture: &OutputImage<Rgb888>) -> Outcome {
     let mut chunks = base64.as_bytes().chunks(CHUNK).peekable();
     while let Some(chunk) = chunks.next() {
         let more = u8::from(chunks.peek().is_some());
-        write!(console, "\x1b_G{control}m={more};")?;
-        console.write_all(chunk)?;
-        write!(console, "\x1b\\")?;
+        let start = format!("\x1b_G{control}m={more};");
+        console.write_control(&[start.as_bytes(), chunk, b"\x1b\\"].concat())?;
         control = "";
     }
     Ok(writeln!(console)?)
