@@ -9,7 +9,7 @@ fn rejects_bad_input() -> Outcome {
     let here = Directory::new("bad")?;
     fs::write(here.0.join("bad.toml"), "colour = 1\n")?;
     fs::write(here.0.join("bad.scene"), [0xff, 0xfe])?;
-    let cases: [(&[&str], &str); 36] = [
+    let cases: [(&[&str], &str); 37] = [
         (
             &["render", "bad.toml"],
             "error: bad.toml:1: colour: a scene has no such key\n  help: ",
@@ -43,6 +43,10 @@ fn rejects_bad_input() -> Outcome {
         (
             &["render", "whitted", "--max-depth", "33"],
             "error: invalid value '33' for '--max-depth <N>': 33 is not in 0..=32\n",
+        ),
+        (
+            &["render", "whitted", "--size", "640x480", "--scale", "16"],
+            "error: --scale 16: the picture would have 10240x7680 pixels; the longest side is 8192\n",
         ),
         (
             &["render", "whitted", "--max-depth", "-1"],

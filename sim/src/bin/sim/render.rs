@@ -36,6 +36,7 @@ pub(crate) fn render(options: &Render) -> Outcome {
     let scene = Scene::read(&path)?;
     let mut buffer = Box::new(Buffer::new());
     let prepared = scene.prepare_for(&options.quality, &mut buffer)?;
+    check_scale(options)?;
     let file = options.output.clone();
     let file = file.unwrap_or_else(|| default_output(&path));
     let console = Console::beside(&file);
@@ -65,6 +66,23 @@ pub(crate) fn render(options: &Render) -> Outcome {
         library::checksum(&linear(&prepared, settings.display.size, samples)?.picture)
     };
     report::checksum(console, checksum)
+}
+
+/// Returns an error if the scaled picture would have more than 8192 pixels on a side. It would take
+/// more than 0.5 GB of memory.
+fn check_scale(options: &Render) -> Outcome {
+    const MAX_SIDE: u32 = 8192;
+    let display = options.display_options.display(options.quality.size);
+    let size = display.size * options.scale;
+    if size.width.max(size.height) > MAX_SIDE {
+        return Err(format!(
+            "--scale {}: the picture would have {}x{} pixels; the longest side is {MAX_SIDE}
+  help: use a smaller --scale or --size",
+            options.scale, size.width, size.height
+        )
+        .into());
+    }
+    Ok(())
 }
 
 /// Returns the default output path, which is a PNG in the current directory with the scene's name.
