@@ -18,7 +18,7 @@ use crate::steps::{self, Step};
 use crate::{panics, root};
 
 /// Names of the checks and the functions that run them.
-const CHECKS: [Step; 12] = [
+const CHECKS: [Step; 13] = [
     ("panics", panics),
     ("damage", || {
         library_test(&["--test", "all", "compiled"], None)
@@ -27,6 +27,7 @@ const CHECKS: [Step; 12] = [
     ("pictures", || {
         library_test(&["--test", "all", "random_scenes"], None)
     }),
+    ("inputs", inputs),
     ("everywhere", everywhere::check),
     ("miri", miri::check),
     ("bounds", bounds),
@@ -59,6 +60,14 @@ fn library_test(arguments: &[&str], variable: Option<(&str, &str)>) -> Result<()
 fn overflow() -> Result<()> {
     library_test(&["--test", "all", "fuzz"], Some(("RUNS", "20000")))?;
     library_test(&["--lib"], None)
+}
+
+/// Runs all commands of the simulator with 20,000 mutated scenes, pictures and transfers, with limits
+/// for time and memory.
+fn inputs() -> Result<()> {
+    let mut test = cargo();
+    test.args(["test", "--package", "whitted-sim", "--test", "mutations"]);
+    run_command(test.args(["--", "--nocapture"]).env("RUNS", "20000"))
 }
 
 /// Checks the peak stack size on the smallest cores. The scene has the deepest possible ray tree.
