@@ -8,12 +8,14 @@
 
 #[cfg(feature = "antialiasing")]
 mod antialias;
+mod bounds;
 pub(crate) mod camera_rays;
+mod canvas;
 mod column_range;
 mod dirty_lines;
 mod display_color;
-mod fill;
 mod output;
+mod picture;
 mod progress;
 mod renderer;
 mod row_span;
@@ -26,9 +28,12 @@ mod scanline_rays;
 mod tests;
 
 #[cfg(feature = "antialiasing")]
-pub use antialias::{AaSample, AntialiasError, AntialiasedRenderer, SampleCount};
+pub use antialias::{
+    AaSample, AntialiasError, AntialiasedPicture, AntialiasedRenderer, SampleCount,
+};
 pub use dirty_lines::DirtyLines;
 pub use display_color::DisplayColor;
 pub use output::{Dither, Output, Transfer};
+pub use picture::Picture;
 pub use progress::{RenderProgress, Step};
 pub use renderer::Renderer;

@@ -21,6 +21,7 @@ mod draw_target;
 mod examples;
 mod fuzz;
 mod golden;
+mod picture;
 mod prelude;
 mod prepare;
 mod random_scenes;

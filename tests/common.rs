@@ -3,6 +3,7 @@
 pub(crate) mod line_display;
 pub(crate) mod mirror_ball;
 pub(crate) mod reference_scene;
+pub(crate) mod window;
 
 use embedded_graphics::geometry::Size;
 use whitted::observer::Observer;

@@ -17,6 +17,8 @@ mod compiled_scene;
 mod dma_lines;
 #[path = "../examples/first_scene.rs"]
 mod first_scene;
+#[path = "../examples/over_interface.rs"]
+mod over_interface;
 #[path = "../examples/progressive.rs"]
 mod progressive;
 #[path = "../examples/two_renderers.rs"]
@@ -215,6 +217,7 @@ macro_rules! assert_documented {
 fn documentation_shows_the_pictures() {
     let frames = animation::TIMES.map(|time| animation::frame(time).unwrap());
     assert_documented!(first_scene, 1, &[first_scene::picture().unwrap()]);
+    assert_documented!(over_interface, 2, &[over_interface::picture().unwrap()]);
     assert_documented!(progressive, 2, &progressive::pictures().unwrap().0);
     assert_documented!(antialiased, 4, &antialiased::pictures().unwrap());
     assert_documented!(animation, 1, &frames);

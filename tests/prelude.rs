@@ -25,9 +25,9 @@ macro_rules! import {
 
 import! {
     AaSample AnimatedScene Animation AnimationError AnimationProblem AntialiasError
-    AntialiasedRenderer Axis Background Camera ClipBox Color Crc32 DecodeError DirtyLines
-    DisplayColor Dither Interpolation Keyframe Light Material MaterialId Object Observer Output Poller
-    PreparedScene Radiance RayKind RayNode Real RenderProgress Renderer SampleCount Scene
+    AntialiasedPicture AntialiasedRenderer Axis Background Camera ClipBox Color Crc32 DecodeError DirtyLines
+    DisplayColor Dither Interpolation Keyframe Light Material MaterialId Object Observer Output
+    Picture Poller PreparedScene Radiance RayKind RayNode Real RenderProgress Renderer SampleCount Scene
     SceneBuffer SceneBuilder SceneCounts SceneError SceneItem SceneProblem Shape ShapeKind
     SpecularModel Stats Step Target Texture Track Transfer Vec3
     animation codec color ior observer parse_literal real render scene scene_buffer vec3

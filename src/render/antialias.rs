@@ -13,24 +13,31 @@
 mod error;
 mod fingerprint;
 mod pattern;
+mod picture;
 mod sample;
+mod sampled_line;
 
 pub use error::AntialiasError;
 pub use pattern::SampleCount;
+pub use picture::AntialiasedPicture;
 pub use sample::AaSample;
 
 use embedded_graphics_core::draw_target::DrawTarget;
-use embedded_graphics_core::geometry::Size;
+use embedded_graphics_core::geometry::{Point, Size};
 
-use crate::math::{Color, Radiance};
 use crate::observer::{Observer, Pair};
 use crate::prepare::PreparedScene;
+use crate::render::bounds::Bounds;
 use crate::render::camera_rays::CameraRays;
-use crate::render::scanline::ScanlineTracer;
+use crate::render::canvas::Canvas;
+use crate::render::column_range::ColumnRange;
+use crate::render::row_span::RowSpan;
+use crate::render::scanline::{ScanlineTracer, TracedPixels};
 use crate::render::scanline_methods::scanline_methods;
 use crate::render::{DisplayColor, Output};
 use fingerprint::Fingerprint;
 use pattern::{GRID, MAX_SIDE};
+use sampled_line::SampledLine;
 
 /// Draws a scene with smooth edges, line by line.
 ///
@@ -73,6 +80,9 @@ pub struct AntialiasedRenderer<'s, 'm, O: Observer = ()> {
     samples: SampleCount,
     /// Samples of two lines: the last even line and the last odd line that have been traced.
     lines: [&'m mut [AaSample]; 2],
+    /// Columns to draw. The columns next to them are traced too, because edge detection compares
+    /// neighbors.
+    columns: ColumnRange,
     /// Number of the last finished line. The line below has been traced too, but its edge pixels
     /// have not been refined.
     finished: Option<u32>,
@@ -119,9 +129,11 @@ impl<'s, 'm, O: Observer> AntialiasedRenderer<'s, 'm, O> {
         };
         let (even, rest) = memory.split_at_mut_checked(width as usize).ok_or(needed)?;
         let odd = rest.get_mut(..width as usize).ok_or(needed)?;
+        let rays = CameraRays::new(&scene.settings.camera, width, height);
         Ok(Self {
             tracer: ScanlineTracer::new(scene),
-            rays: CameraRays::new(&scene.settings.camera, width, height),
+            columns: rays.columns(),
+            rays,
             fine_rays: CameraRays::new(&scene.settings.camera, GRID * width, GRID * height),
             samples,
             lines: [even, odd],
@@ -134,7 +146,10 @@ impl<'s, 'm, O: Observer> AntialiasedRenderer<'s, 'm, O> {
 
     scanline_methods!();
 
-    /// Draws the whole picture, from top to bottom.
+    /// Draws the whole picture, from top to bottom. The top left pixel of the picture is at the top
+    /// left of the target's bounding box. Pixels outside the bounding box are not traced.
+    ///
+    /// [`Picture::antialiased`](crate::render::Picture::antialiased) draws at any position.
     ///
     /// # Errors
     /// Drawing stops at the first error of the display and returns that error.
@@ -142,8 +157,32 @@ impl<'s, 'm, O: Observer> AntialiasedRenderer<'s, 'm, O> {
     where
         D: DrawTarget<Color: DisplayColor>,
     {
-        for y in 0..self.size().height {
-            self.draw_line(y, target)?;
+        let result = self.draw_at::<D, false>(target.bounding_box().top_left, target);
+        self.set_columns(self.rays.columns());
+        result
+    }
+
+    /// Draws the visible part of a picture whose top left pixel is at `origin`. If `TRANSPARENT` is
+    /// true, only pixels whose center ray hits an object are drawn.
+    fn draw_at<D, const TRANSPARENT: bool>(
+        &mut self,
+        origin: Point,
+        target: &mut D,
+    ) -> Result<(), D::Error>
+    where
+        D: DrawTarget<Color: DisplayColor>,
+    {
+        let area = target.bounding_box();
+        let bounds = Bounds::visible(origin, self.size(), [&area, &area]);
+        self.set_columns(ColumnRange {
+            from: bounds.left,
+            to: bounds.right,
+            spacing: 0,
+        });
+        let mut canvas = Canvas::<D, TRANSPARENT>::new(target, origin, self.output);
+        for y in bounds.top..bounds.bottom {
+            let row = RowSpan::line(y, self.columns);
+            canvas.fill_line(&row, self.pixels(y))?;
             if self.observer.is_interrupted() {
                 break;
             }
@@ -151,13 +190,31 @@ impl<'s, 'm, O: Observer> AntialiasedRenderer<'s, 'm, O> {
         Ok(())
     }
 
-    /// Returns the column and the color of each pixel of line `y`.
-    fn pixels(&mut self, y: u32) -> impl Iterator<Item = (u32, Color<Radiance>)> {
+    /// Sets the columns to draw.
+    fn set_columns(&mut self, columns: ColumnRange) {
+        if (columns.from, columns.to) != (self.columns.from, self.columns.to) {
+            self.columns = columns;
+            self.finished = None;
+        }
+    }
+
+    /// Returns the drawn columns of a line and the columns next to them.
+    fn traced_columns(&self) -> ColumnRange {
+        let ColumnRange { from, to, spacing } = self.columns;
+        ColumnRange {
+            from: from.saturating_sub(1),
+            to: self.rays.width.min(to + 1),
+            spacing,
+        }
+    }
+
+    /// Returns the pixels of line `y`.
+    fn pixels(&mut self, y: u32) -> impl TracedPixels {
         self.finish(y);
-        let line = &self.lines[y as usize % 2];
         let is_finished = self.finished == Some(y);
-        let count = if is_finished { line.len() } else { 0 };
-        (0..).zip(line.iter().take(count).map(AaSample::color))
+        let columns = self.columns;
+        let samples = part(self.lines[y as usize % 2], columns);
+        SampledLine::new(columns.from, if is_finished { samples } else { &[] })
     }
 
     /// Traces line `y` and refines its edge pixels. Does nothing if `y` is the last finished line.
@@ -190,15 +247,16 @@ impl<'s, 'm, O: Observer> AntialiasedRenderer<'s, 'm, O> {
     /// Traces a ray through the center of each pixel of line `y`, and marks pixels that differ from
     /// a neighbor in the same line.
     fn trace_line(&mut self, y: u32) {
-        let line = &mut *self.lines[y as usize % 2];
+        let columns = self.traced_columns();
+        let line = part(self.lines[y as usize % 2], columns);
         let mut both = Pair(&mut self.fingerprint, &mut self.observer);
-        let columns = self.rays.columns();
         let mut pixels = self.tracer.pixels(&self.rays, y, columns, &mut both);
         for sample in &mut *line {
             let Some((_, color)) = pixels.next() else {
                 return;
             };
-            *sample = AaSample::new(color, pixels.tracer.observer.0.hash);
+            let is_miss = pixels.take_miss();
+            *sample = AaSample::new(color, pixels.tracer.observer.0.hash, is_miss);
         }
         let mut pixels = line.iter_mut();
         let Some(mut left) = pixels.next() else {
@@ -220,7 +278,7 @@ impl<'s, 'm, O: Observer> AntialiasedRenderer<'s, 'm, O> {
 
     /// Traces the pattern of rays through each edge pixel of line `y`.
     fn refine(&mut self, y: u32) {
-        let line = &mut *self.lines[y as usize % 2];
+        let line = part(self.lines[y as usize % 2], self.columns);
         let weight = self.samples.weight();
         let mut any = false;
         for sample in line.iter_mut().filter(|sample| sample.is_edge()) {
@@ -240,7 +298,9 @@ impl<'s, 'm, O: Observer> AntialiasedRenderer<'s, 'm, O> {
             // tracer is compiled for only one type of observer.
             let mut both = Pair(&mut self.fingerprint, &mut self.observer);
             let mut pixels = self.tracer.pixels(&self.fine_rays, row, all, &mut both);
-            let edges = (0..).zip(&mut *line).filter(|(_, it)| it.is_edge());
+            let edges = (self.columns.from..)
+                .zip(&mut *line)
+                .filter(|(_, it)| it.is_edge());
             for (x, sample) in edges {
                 for column in *columns {
                     pixels.skip_to(GRID * x + column);
@@ -254,6 +314,12 @@ impl<'s, 'm, O: Observer> AntialiasedRenderer<'s, 'm, O> {
     }
 }
 
+/// Returns the samples of some columns of a line.
+fn part(line: &mut [AaSample], columns: ColumnRange) -> &mut [AaSample] {
+    let ColumnRange { from, to, .. } = columns;
+    line.get_mut(from as usize..to as usize).unwrap_or_default()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -263,6 +329,6 @@ mod tests {
     fn has_documented_size() {
         assert_eq!(size_of::<AaSample>(), 16);
         let size = size_of::<AntialiasedRenderer<'_, '_>>();
-        assert!(size <= 850, "{size}");
+        assert!(size <= 870, "{size}");
     }
 }

@@ -79,7 +79,8 @@ impl<'m> DirtyLines<'m> {
 
     /// Sends the changed segments of line `y` and returns the number of pixels sent.
     ///
-    /// Adjacent changed segments are sent by one call of `fill_contiguous`. Pixels of `line` beyond
+    /// The top left pixel of the picture is at the top left of the target's bounding box. Adjacent
+    /// changed segments are sent by one call of `fill_contiguous`. Pixels of `line` beyond
     /// the width of the picture are ignored.
     ///
     /// # Errors
@@ -132,7 +133,8 @@ impl<'m> DirtyLines<'m> {
             return Ok(0);
         };
         let size = Size::new(pixels.len() as u32, 1);
-        let area = Rectangle::new(Point::new(start as i32, y as i32), size);
+        let at = target.bounding_box().top_left + Point::new(start as i32, y as i32);
+        let area = Rectangle::new(at, size);
         let outcome = target.fill_contiguous(&area, pixels.iter().copied());
         if outcome.is_err() {
             self.hashes_mut(y, run).fill(0);

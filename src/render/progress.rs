@@ -7,10 +7,9 @@
 //! already been traced. In scanline order, the first blocks are single pixels, so there is only one
 //! pass.
 
-use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::primitives::Rectangle;
 
-use crate::render::camera_rays::MAX_SIDE;
+use crate::render::bounds::Bounds;
 use crate::render::column_range::ColumnRange;
 use crate::render::row_span::RowSpan;
 
@@ -19,7 +18,7 @@ const COARSEST: u8 = 16;
 
 /// Progress of drawing a picture, or an area of it, by [`Renderer::step`](crate::Renderer::step).
 ///
-/// A `RenderProgress` is 14 bytes of plain data. It does not refer to the renderer or the display,
+/// A `RenderProgress` is 24 bytes of plain data. It does not refer to the renderer or the display,
 /// so it can be stored, copied or dropped between steps. A copy resumes drawing at the place where
 /// the copy was made. All steps must use the same scene, picture size and display.
 ///
@@ -64,11 +63,9 @@ const COARSEST: u8 = 16;
 /// To redraw a part of a picture, start a new `RenderProgress` with the area of that part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RenderProgress {
-    left: u16,
-    top: u16,
-    right: u16,
-    bottom: u16,
-    /// Top left pixel of the next block.
+    /// Area to draw, in coordinates of the display.
+    area: Rectangle,
+    /// Top left pixel of the next block, relative to the visible part of the area.
     x: u16,
     y: u16,
     /// Side of the blocks of the first pass: a power of two.
@@ -97,7 +94,8 @@ pub enum Step {
 impl RenderProgress {
     /// Starts to draw an area line by line, from top to bottom.
     ///
-    /// The area is clipped to the picture.
+    /// The area is in coordinates of the display. It is clipped to the picture and to the bounding
+    /// box of the display.
     pub fn scanlines(area: Rectangle) -> Self {
         Self::new(area, 1)
     }
@@ -106,24 +104,19 @@ impl RenderProgress {
     ///
     /// The first pass covers the whole area but traces only 1/256 of its pixels. Together, the five
     /// passes trace each pixel once. They send four times as many pixels to the display as scanline
-    /// order does, because they draw small blocks over large ones. The area is clipped to the
-    /// picture.
+    /// order does, because they draw small blocks over large ones.
+    ///
+    /// The area is in coordinates of the display. It is clipped to the picture and to the bounding
+    /// box of the display.
     pub fn progressive(area: Rectangle) -> Self {
         Self::new(area, COARSEST)
     }
 
     fn new(area: Rectangle, coarsest: u8) -> Self {
-        let Rectangle { top_left, size } = area;
-        let clip = |edge: i64| edge.clamp(0, MAX_SIDE.into()) as u16;
-        let end = |start: i32, length: u32| clip(i64::from(start) + i64::from(length));
-        let (left, top) = (clip(top_left.x.into()), clip(top_left.y.into()));
         Self {
-            left,
-            top,
-            right: end(top_left.x, size.width),
-            bottom: end(top_left.y, size.height),
-            x: left,
-            y: top,
+            area,
+            x: 0,
+            y: 0,
             coarsest,
             block: coarsest,
         }
@@ -139,53 +132,65 @@ impl RenderProgress {
         self.block.into()
     }
 
+    /// Returns the area to draw, in coordinates of the display.
+    pub(crate) fn area(&self) -> &Rectangle {
+        &self.area
+    }
+
     /// Returns the part of the current row that has not been drawn. Returns `None` if the area is
-    /// complete. `size` is the size of the picture.
-    pub(crate) fn row(&mut self, size: Size) -> Option<RowSpan> {
-        self.settle(size);
-        let (right, bottom) = self.ends(size);
+    /// complete. `bounds` is the visible part of the area.
+    pub(crate) fn row(&mut self, bounds: Bounds) -> Option<RowSpan> {
+        self.settle(bounds);
+        let Bounds {
+            left,
+            top,
+            right,
+            bottom,
+        } = bounds;
         (!self.is_complete()).then(|| RowSpan {
-            y: self.y.into(),
+            y: top + u32::from(self.y),
             columns: ColumnRange {
-                from: self.x.into(),
-                to: right.into(),
+                from: left + u32::from(self.x),
+                to: right,
                 spacing: self.stride().trailing_zeros() as u8,
             },
             block: self.block,
-            bottom: bottom.into(),
+            bottom,
         })
     }
 
     /// Records that the next block of the current row has been drawn.
-    pub(crate) fn advance(&mut self, size: Size) {
+    pub(crate) fn advance(&mut self, bounds: Bounds) {
         self.x = self.x.saturating_add(self.stride());
-        self.settle(size);
+        self.settle(bounds);
     }
 
-    /// Records that the current row has been drawn up to column `x`, which is excluded.
-    pub(crate) fn advance_to(&mut self, x: u32, size: Size) {
+    /// Records that the current row has been drawn up to column `x` of the picture, which is
+    /// excluded.
+    pub(crate) fn advance_to(&mut self, x: u32, bounds: Bounds) {
+        let x = x.saturating_sub(bounds.left);
         self.x = u16::try_from(x).unwrap_or(u16::MAX);
-        self.settle(size);
+        self.settle(bounds);
     }
 
     /// Records that the current row is complete, and moves to the next row.
-    pub(crate) fn finish_row(&mut self, size: Size) {
-        self.x = self.right;
-        self.settle(size);
+    pub(crate) fn finish_row(&mut self, bounds: Bounds) {
+        self.x = u16::MAX;
+        self.settle(bounds);
     }
 
     /// If the current row is complete, moves to the next row. If the current pass is complete,
     /// moves to the next pass.
-    fn settle(&mut self, size: Size) {
-        let (right, bottom) = self.ends(size);
-        if self.left >= right {
+    fn settle(&mut self, bounds: Bounds) {
+        let (width, height) = (bounds.width(), bounds.height());
+        if width == 0 {
             self.block = 0;
         }
         while self.block > 0 {
-            if self.y >= bottom {
+            if self.y >= height {
                 self.block /= 2;
-                self.y = self.top;
-            } else if self.x >= right {
+                self.y = 0;
+            } else if self.x >= width {
                 self.y = self.y.saturating_add(self.block.into());
             } else {
                 return;
@@ -193,21 +198,14 @@ impl RenderProgress {
             // An earlier pass either traced the first pixel of this row or traced no pixel of the
             // row.
             let traced = if self.is_new_row() { 0 } else { self.block };
-            self.x = self.left.saturating_add(traced.into());
+            self.x = traced.into();
         }
-    }
-
-    /// Returns the column after the last column of the area, and the line below its last line. The
-    /// area is clipped to the picture.
-    fn ends(&self, size: Size) -> (u16, u16) {
-        let clip = |end: u16, side: u32| u32::from(end).min(side) as u16;
-        (clip(self.right, size.width), clip(self.bottom, size.height))
     }
 
     /// Returns true if no earlier pass has traced pixels of the current row. In the first pass,
     /// this is true of all rows. In later passes, it is true of every other row.
     fn is_new_row(&self) -> bool {
-        self.block == self.coarsest || (self.y - self.top) & u16::from(self.block) != 0
+        self.block == self.coarsest || self.y & u16::from(self.block) != 0
     }
 
     /// Returns the distance, in columns, between the pixels that are traced in the current row.
@@ -227,6 +225,6 @@ mod tests {
 
     #[test]
     fn has_documented_size() {
-        assert_eq!(size_of::<RenderProgress>(), 14);
+        assert_eq!(size_of::<RenderProgress>(), 24);
     }
 }

@@ -3,8 +3,7 @@
 mod step;
 
 use embedded_graphics_core::draw_target::DrawTarget;
-use embedded_graphics_core::geometry::{Point, Size};
-use embedded_graphics_core::primitives::Rectangle;
+use embedded_graphics_core::geometry::Size;
 
 use crate::math::{Color, Radiance};
 use crate::observer::Observer;
@@ -74,7 +73,10 @@ impl<'s, O: Observer> Renderer<'s, O> {
         self.tracer.pixel(&self.rays, x, y, &mut self.observer)
     }
 
-    /// Draws the whole picture, from top to bottom.
+    /// Draws the whole picture, from top to bottom. The top left pixel of the picture is at the top
+    /// left of the target's bounding box. Pixels outside the bounding box are not traced.
+    ///
+    /// [`Picture`](crate::render::Picture) draws at any position.
     ///
     /// # Errors
     /// Drawing stops at the first error of the display and returns that error.
@@ -82,7 +84,7 @@ impl<'s, O: Observer> Renderer<'s, O> {
     where
         D: DrawTarget<Color: DisplayColor>,
     {
-        let area = Rectangle::new(Point::zero(), self.size());
+        let area = target.bounding_box();
         self.step(&mut RenderProgress::scanlines(area), Step::Pass, target)
     }
 

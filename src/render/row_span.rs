@@ -30,10 +30,11 @@ impl RowSpan {
         self.columns.spacing == 0
     }
 
-    /// Returns the area that the row covers. The row must consist of single pixels.
-    pub(crate) fn area(&self) -> Rectangle {
-        let ColumnRange { from, to, .. } = self.columns;
-        Rectangle::new(self.point(from), Size::new(to - from, 1))
+    /// Returns the area from column `x` to the end of the row. The row must consist of single
+    /// pixels.
+    pub(crate) fn area(&self, x: u32) -> Rectangle {
+        let width = self.columns.to.saturating_sub(x);
+        Rectangle::new(self.point(x), Size::new(width, 1))
     }
 
     /// Returns the block whose top left pixel is in column `x`, clipped to the area to draw.

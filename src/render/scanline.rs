@@ -71,6 +71,22 @@ impl<'s> ScanlineTracer<'s> {
     }
 }
 
+/// Column and color of a traced pixel.
+pub(crate) type TracedPixel = (u32, Color<Radiance>);
+
+/// An iterator over traced pixels of a scanline, from left to right.
+pub(crate) trait TracedPixels: Iterator<Item = TracedPixel> {
+    /// Returns true if the camera ray of the most recent pixel hit nothing. Calling this function
+    /// once more for the same pixel returns false.
+    fn take_miss(&mut self) -> bool;
+}
+
+impl<P: TracedPixels> TracedPixels for &mut P {
+    fn take_miss(&mut self) -> bool {
+        (**self).take_miss()
+    }
+}
+
 /// Iterator that traces the pixels of a scanline and returns the column and color of each. The
 /// iterator ends before the pixel in which the observer interrupts it.
 pub(crate) struct PixelIter<'r, 's, O> {
@@ -92,7 +108,7 @@ impl<O> PixelIter<'_, '_, O> {
 }
 
 impl<O: Observer> Iterator for PixelIter<'_, '_, O> {
-    type Item = (u32, Color<Radiance>);
+    type Item = TracedPixel;
 
     #[inline(always)]
     fn next(&mut self) -> Option<Self::Item> {
@@ -113,5 +129,11 @@ impl<O: Observer> Iterator for PixelIter<'_, '_, O> {
 
     fn size_hint(&self) -> (usize, Option<usize>) {
         self.directions.size_hint()
+    }
+}
+
+impl<O: Observer> TracedPixels for PixelIter<'_, '_, O> {
+    fn take_miss(&mut self) -> bool {
+        self.culler.take_miss()
     }
 }

@@ -4,6 +4,8 @@
 //! sphere of an object in a circle. The two tangents from the eye to this circle bound the columns
 //! in which the object can be visible.
 
+use core::mem;
+
 use fixed::types::I8F56;
 use heapless::Vec;
 
@@ -50,6 +52,7 @@ impl ScanlineCuller {
     pub(crate) fn set_row(&mut self, scene: &PreparedScene<'_>, rays: &CameraRays, y: u32) {
         self.spans.clear();
         self.next_event = 0;
+        self.active.is_miss = false;
         let plane = ScanlinePlane::new(&scene.settings.camera, rays, y);
         let all_columns = [0, plane.width];
         let mut fits = true;
@@ -90,6 +93,11 @@ impl ScanlineCuller {
             self.advance(x);
         }
         &mut self.active
+    }
+
+    /// Returns true if the most recent camera ray hit nothing, and forgets this.
+    pub(crate) fn take_miss(&mut self) -> bool {
+        mem::take(&mut self.active.is_miss)
     }
 
     /// Updates `active` and `next_event` for column `x`.

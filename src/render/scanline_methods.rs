@@ -50,7 +50,8 @@ macro_rules! scanline_methods {
             }
         }
 
-        /// Draws line `y` by one call of `fill_contiguous`.
+        /// Draws line `y` by one call of `fill_contiguous`. The top left pixel of the picture is at
+        /// the top left of the target's bounding box.
         ///
         /// # Errors
         /// Returns the error of the display if the call fails. The line can then be drawn again.
@@ -59,8 +60,9 @@ macro_rules! scanline_methods {
             D: embedded_graphics_core::draw_target::DrawTarget<Color: $crate::render::DisplayColor>,
         {
             let row = $crate::render::row_span::RowSpan::line(y, self.rays.columns());
-            let output = self.output;
-            $crate::render::fill::fill_line(&row, self.pixels(y), output, target)
+            let origin = target.bounding_box().top_left;
+            $crate::render::canvas::Canvas::<_, false>::new(target, origin, self.output)
+                .fill_line(&row, self.pixels(y))
         }
     };
 }

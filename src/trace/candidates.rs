@@ -24,6 +24,9 @@ pub(crate) struct Candidates {
     /// if `is_coplanar` is true. The current ray has the same distance to this plane. It hits the
     /// plane only if the hit point is inside the clip box of the plane.
     pub(crate) cached_hit: Option<Hit>,
+    /// True if the most recent camera ray hit nothing. Tracing sets this field but never clears it,
+    /// so pictures that do not need it do not pay for it.
+    pub(crate) is_miss: bool,
 }
 
 impl Candidates {

@@ -140,8 +140,9 @@ impl<'s, O: Observer> Tracer<'_, 's, O> {
     fn shade_background(
         &mut self,
         direction: Vec3<Unit>,
-        candidates: &Candidates,
+        candidates: &mut Candidates,
     ) -> Color<Radiance> {
+        candidates.is_miss = true;
         let settings = &self.scene.settings;
         let height = if candidates.are_planes && settings.is_gradient {
             direction.unit_outlined().y

@@ -3,6 +3,12 @@ use crate::math::{Color, Radiance, wide};
 /// Greatest difference of a color channel between neighbors that does not make an edge: 1/16.
 const EDGE: Radiance = Radiance::from_bits(1 << 26);
 
+/// Bit of [`AaSample::hash`] that is set if the pixel is at an edge.
+const IS_EDGE: u32 = 1;
+
+/// Bit of [`AaSample::hash`] that is set if the center ray hit nothing.
+const IS_MISS: u32 = 2;
+
 /// The memory that an [`AntialiasedRenderer`](super::AntialiasedRenderer) needs for one pixel. A
 /// sample takes 16 bytes.
 #[derive(Clone, Copy, Debug, Default)]
@@ -10,8 +16,8 @@ pub struct AaSample {
     /// Color of the center ray, clipped to 0..=1. In an edge pixel, the weighted sum of all
     /// rays replaces this color.
     color: Color<Radiance>,
-    /// Hash of the object, material and lights at the hit of the center ray. The lowest bit is not
-    /// part of the hash: it is set if the pixel is at an edge.
+    /// Hash of the object, material and lights at the hit of the center ray. The lowest two bits
+    /// are not part of the hash. The first is [`IS_EDGE`], the second [`IS_MISS`].
     hash: u32,
 }
 
@@ -22,10 +28,11 @@ impl AaSample {
         hash: 0,
     };
 
-    pub(super) fn new(color: Color<Radiance>, hash: u32) -> Self {
+    pub(super) fn new(color: Color<Radiance>, hash: u32, is_miss: bool) -> Self {
+        let miss = if is_miss { IS_MISS } else { 0 };
         Self {
             color: clip(color),
-            hash: hash & !1,
+            hash: hash & !(IS_EDGE | IS_MISS) | miss,
         }
     }
 
@@ -34,16 +41,21 @@ impl AaSample {
     }
 
     pub(super) fn is_edge(&self) -> bool {
-        self.hash & 1 != 0
+        self.hash & IS_EDGE != 0
+    }
+
+    /// Returns true if the center ray hit nothing.
+    pub(super) fn is_miss(&self) -> bool {
+        self.hash & IS_MISS != 0
     }
 
     /// Marks both samples as edge pixels if their hits or colors differ.
     pub(super) fn compare(&mut self, other: &mut Self) {
         let difference = self.color.zip(other.color, Radiance::abs_diff);
-        let same_hit = (self.hash ^ other.hash) >> 1 == 0;
+        let same_hit = (self.hash ^ other.hash) & !IS_EDGE == 0;
         if !same_hit || !difference.all(|d| d <= EDGE) {
-            self.hash |= 1;
-            other.hash |= 1;
+            self.hash |= IS_EDGE;
+            other.hash |= IS_EDGE;
         }
     }
 

@@ -1,18 +1,22 @@
 //! Drawing of a picture in steps of limited work.
 
 use embedded_graphics_core::draw_target::DrawTarget;
+use embedded_graphics_core::geometry::Point;
 
 use super::Renderer;
-use crate::math::{Color, Radiance};
 use crate::observer::{Observer, Pair, RayCounter};
 use crate::render::DisplayColor;
-use crate::render::fill::{draw_sparse, fill_blocks, fill_line};
+use crate::render::bounds::Bounds;
+use crate::render::canvas::Canvas;
 use crate::render::progress::{RenderProgress, Step};
-use crate::render::scanline::PixelIter;
+use crate::render::scanline::{PixelIter, TracedPixel, TracedPixels};
 
 impl<O: Observer> Renderer<'_, O> {
     /// Draws the next step of a picture and advances `progress`. Does nothing if the picture is
     /// complete.
+    ///
+    /// The top left pixel of the picture is at the top left of the target's bounding box. Only the
+    /// part of the picture inside the bounding box is traced.
     ///
     /// Each block larger than one pixel is drawn by one call of `fill_contiguous`. Single pixels
     /// are drawn line by line: one call of `fill_contiguous` draws a line or the rest of a line. If
@@ -42,55 +46,75 @@ impl<O: Observer> Renderer<'_, O> {
     where
         D: DrawTarget<Color: DisplayColor>,
     {
-        match step {
-            Step::Line => self.step_line(progress, target),
-            Step::Pass => self.step_pass(progress, target),
-            Step::Rays(budget) => self.step_rays(progress, budget, target),
-        }
+        let origin = target.bounding_box().top_left;
+        self.step_at::<D, false>(origin, progress, step, target)
     }
 
-    fn step_line<D>(
+    /// Draws the next step of a picture whose top left pixel is at `origin`. If `TRANSPARENT` is
+    /// true, only pixels whose camera ray hits an object are drawn.
+    #[inline]
+    pub(crate) fn step_at<D, const TRANSPARENT: bool>(
         &mut self,
+        origin: Point,
         progress: &mut RenderProgress,
+        step: Step,
         target: &mut D,
     ) -> Result<(), D::Error>
     where
         D: DrawTarget<Color: DisplayColor>,
     {
-        let size = self.size();
-        let Some(row) = progress.row(size) else {
+        let areas = [progress.area(), &target.bounding_box()];
+        let bounds = Bounds::visible(origin, self.size(), areas);
+        let canvas = &mut Canvas::<D, TRANSPARENT>::new(target, origin, self.output);
+        match step {
+            Step::Line => self.step_line(progress, bounds, canvas),
+            Step::Pass => self.step_pass(progress, bounds, canvas),
+            Step::Rays(budget) => self.step_rays(progress, bounds, budget, canvas),
+        }
+    }
+
+    fn step_line<D, const TRANSPARENT: bool>(
+        &mut self,
+        progress: &mut RenderProgress,
+        bounds: Bounds,
+        canvas: &mut Canvas<'_, D, TRANSPARENT>,
+    ) -> Result<(), D::Error>
+    where
+        D: DrawTarget<Color: DisplayColor>,
+    {
+        let Some(row) = progress.row(bounds) else {
             return Ok(());
         };
-        let output = self.output;
         let (tracer, observer) = (&mut self.tracer, &mut self.observer);
         let mut pixels = tracer.pixels(&self.rays, row.y, row.columns, observer);
         if row.block > 1 {
-            return fill_blocks(progress, size, &row, pixels, output, target);
+            return canvas.fill_blocks(progress, bounds, &row, pixels);
         }
         match row.is_contiguous() {
-            true => fill_line(&row, &mut pixels, output, target),
-            false => draw_sparse(&row, &mut pixels, output, target),
+            true => canvas.fill_line(&row, &mut pixels),
+            false => canvas.draw_sparse(&row, &mut pixels),
         }?;
         match pixels.tracer.observer.is_interrupted() {
-            true => progress.advance_to(pixels.x, size),
+            true => progress.advance_to(pixels.x, bounds),
             // If the display took fewer pixels than the row has, it clipped the other pixels.
             // The row is then complete.
-            false => progress.finish_row(size),
+            false => progress.finish_row(bounds),
         }
         Ok(())
     }
 
-    fn step_pass<D>(
+    fn step_pass<D, const TRANSPARENT: bool>(
         &mut self,
         progress: &mut RenderProgress,
-        target: &mut D,
+        bounds: Bounds,
+        canvas: &mut Canvas<'_, D, TRANSPARENT>,
     ) -> Result<(), D::Error>
     where
         D: DrawTarget<Color: DisplayColor>,
     {
         let pass = progress.block();
         while progress.block() == pass && !progress.is_complete() {
-            self.step_line(progress, target)?;
+            self.step_line(progress, bounds, canvas)?;
             if self.observer.is_interrupted() {
                 break;
             }
@@ -98,21 +122,20 @@ impl<O: Observer> Renderer<'_, O> {
         Ok(())
     }
 
-    fn step_rays<D>(
+    fn step_rays<D, const TRANSPARENT: bool>(
         &mut self,
         progress: &mut RenderProgress,
+        bounds: Bounds,
         budget: u32,
-        target: &mut D,
+        canvas: &mut Canvas<'_, D, TRANSPARENT>,
     ) -> Result<(), D::Error>
     where
         D: DrawTarget<Color: DisplayColor>,
     {
-        let size = self.size();
-        let output = self.output;
         let mut counter = RayCounter::default();
         while counter.0 < budget
             && !self.observer.is_interrupted()
-            && let Some(row) = progress.row(size)
+            && let Some(row) = progress.row(bounds)
         {
             let (tracer, observer) = (&mut self.tracer, &mut self.observer);
             let mut both = Pair(&mut counter, observer);
@@ -122,12 +145,12 @@ impl<O: Observer> Renderer<'_, O> {
                 is_exhausted: false,
             };
             if row.block > 1 {
-                fill_blocks(progress, size, &row, pixels, output, target)?;
+                canvas.fill_blocks(progress, bounds, &row, pixels)?;
                 continue;
             }
             match row.is_contiguous() {
-                true => fill_line(&row, &mut pixels, output, target),
-                false => draw_sparse(&row, &mut pixels, output, target),
+                true => canvas.fill_line(&row, &mut pixels),
+                false => canvas.draw_sparse(&row, &mut pixels),
             }?;
             let RayBudget {
                 pixels,
@@ -135,8 +158,8 @@ impl<O: Observer> Renderer<'_, O> {
                 ..
             } = pixels;
             match is_exhausted || pixels.tracer.observer.is_interrupted() {
-                true => progress.advance_to(pixels.x, size),
-                false => progress.finish_row(size),
+                true => progress.advance_to(pixels.x, bounds),
+                false => progress.finish_row(bounds),
             }
         }
         Ok(())
@@ -152,7 +175,7 @@ struct RayBudget<'r, 's, 'o, O> {
 }
 
 impl<O: Observer> Iterator for RayBudget<'_, '_, '_, O> {
-    type Item = (u32, Color<Radiance>);
+    type Item = TracedPixel;
 
     #[inline(always)]
     fn next(&mut self) -> Option<Self::Item> {
@@ -161,5 +184,11 @@ impl<O: Observer> Iterator for RayBudget<'_, '_, '_, O> {
             return None;
         }
         self.pixels.next()
+    }
+}
+
+impl<O: Observer> TracedPixels for RayBudget<'_, '_, '_, O> {
+    fn take_miss(&mut self) -> bool {
+        self.pixels.take_miss()
     }
 }

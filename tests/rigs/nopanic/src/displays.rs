@@ -1,5 +1,6 @@
 //! Calls every drawing function, for every color type of embedded-graphics.
 
+use core::cell::RefCell;
 use core::hint::black_box;
 use core::ops::ControlFlow;
 
@@ -11,7 +12,7 @@ use embedded_graphics_core::prelude::*;
 use embedded_graphics_core::primitives::Rectangle;
 use whitted::observer::{Observer, Poller, Stats};
 use whitted::render::{
-    AaSample, AntialiasedRenderer, DirtyLines, RenderProgress, SampleCount, Step,
+    AaSample, AntialiasedRenderer, DirtyLines, Picture, RenderProgress, SampleCount, Step,
 };
 use whitted::{Color, PreparedScene, Renderer};
 
@@ -116,6 +117,8 @@ fn draw_rgb565(scene: &PreparedScene<'_>) {
         renderer.observer_mut().resume();
     }
 
+    draw_pictures(scene, &mut display);
+
     let mut memory = [AaSample::BLACK; 8];
     let memory: &mut [AaSample] = black_box(&mut memory);
     match AntialiasedRenderer::new(scene, size(), black_box(SampleCount::Four), memory) {
@@ -129,6 +132,27 @@ fn draw_rgb565(scene: &PreparedScene<'_>) {
             black_box(renderer.draw_line(black_box(0), &mut display).is_ok());
         }
         Err(error) => text::print(&error),
+    }
+}
+
+/// Draws an opaque and a transparent picture, with and without smooth edges.
+fn draw_pictures(scene: &PreparedScene<'_>, display: &mut UnknownDisplay<Rgb565>) {
+    let position = Point::new(black_box(0), black_box(0));
+    let picture = Picture::new(scene, position, size()).with_output(black_box(Default::default()));
+    let transparent = picture.transparent();
+    let mut progress = black_box(RenderProgress::scanlines(picture.bounding_box()));
+    black_box(
+        transparent
+            .step(&mut progress, black_box(Step::Line), display)
+            .is_ok(),
+    );
+    black_box(picture.draw(display).is_ok());
+    black_box(transparent.draw(display).is_ok());
+
+    let memory = RefCell::new([AaSample::BLACK; 8]);
+    let four = black_box(SampleCount::Four);
+    if let Ok(picture) = transparent.antialiased(four, &memory) {
+        black_box((picture.draw(display).is_ok(), picture.bounding_box()));
     }
 }
 
