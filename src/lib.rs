@@ -8,52 +8,92 @@
 )]
 //! Whitted ray tracing in fixed point, for microcontroller displays.
 //!
-//! The crate draws spheres, quadrics, planes and sphereflakes with reflections, refractions,
-//! shadows and checkerboards. It draws line by line into any [`DrawTarget`] of
-//! embedded-graphics. The crate is `no_std`, allocates nothing and does not panic. Scenes are
-//! prepared and traced with integers only, so every target draws the same picture, bit for bit.
+#![doc = concat!(
+    "![A glass sphere in front of a mirror sphere over a checkerboard](data:image/png;base64,",
+    include_str!("../docs/images/rustdoc/whitted.base64"),
+    ")"
+)]
 //!
-//! # Example
+//! The crate draws spheres, quadrics, planes and sphereflakes with reflections, refractions,
+//! shadows and checkerboards into any [`DrawTarget`] of embedded-graphics. The crate is `no_std`,
+//! allocates nothing and does not panic. Scenes are prepared and traced with integers only, so
+//! every target draws the same picture, bit for bit.
+//!
+//! # Start here
+//!
+//! Three steps lead from a scene to a picture: describe the scene, prepare it in a buffer, draw it.
 //!
 //! ```
 //! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};
+//! use whitted::render::Picture;
 //! use whitted::{
-//!     Camera, Color, Light, Material, MaterialId, Object, Real, Renderer, Scene, SceneBuffer,
-//!     color, real, vec3,
+//!     Camera, Light, Material, MaterialId, Object, Scene, SceneBuffer, color, real, vec3,
 //! };
 //!
 //! static SCENE: Scene = Scene {
-//!     lights: &[Light::point(vec3!(-6, 11, 7), Color::gray(Real::ONE))],
+//!     lights: &[Light::point(vec3!(-6, 11, 7), color!(1, 1, 1))],
 //!     materials: &[Material { kd: color!(0.6, 0.04, 0.03), ..Material::BLACK }],
-//!     objects: &[Object::sphere(vec3!(0, 1, 0), Real::ONE, MaterialId(0))],
+//!     objects: &[Object::sphere(vec3!(0, 1, 0), real!(1), MaterialId(0))],
 //!     ..Scene::new(Camera::new(vec3!(0, 2, 8), vec3!(0, 1, 0), real!(33)))
 //! };
 //!
 //! let mut display = MockDisplay::<Rgb565>::new();
+//! // The buffer has room for 8 objects, 2 lights and 8 materials.
 //! let mut buffer = SceneBuffer::<8, 2, 8>::new();
 //! let scene = buffer.prepare(&SCENE)?;
-//! Renderer::new(&scene, display.size()).draw(&mut display).unwrap();
+//! Picture::new(&scene, Point::zero(), display.size()).draw(&mut display).unwrap();
 //! # Ok::<(), whitted::SceneError>(())
 //! ```
 //!
 //! # Which item for which task
 //!
+//! **Describe a scene.** All numbers are fixed-point numbers, [`Real`].
+//!
 //! | task | items |
 //! |---|---|
-//! | Describe a scene in a `static` | [`Scene`], [`Camera`], [`Light`], [`Material`], [`Object`], [`Shape`], [`Texture`] |
+//! | Write numbers, vectors and colors | [`real!`], [`vec3!`], [`color!`] |
+//! | Describe a scene in a `static` | [`Scene`] |
+//! | Place the camera | [`Camera`] |
+//! | Light the scene | [`Light`], [`Scene::ambient`], [`Background`] |
+//! | Place objects | [`Object`], [`Shape`], [`scene::ClipBox`] |
+//! | Paint objects: matte, shiny, mirror, glass, checkerboard | [`Material`], [`MaterialId`], [`Texture`], [`scene::ior`], [`scene::SpecularModel`] |
 //! | Build a scene at run time | [`scene::SceneBuilder`] |
+//!
+//! **Prepare it.**
+//!
+//! | task | items |
+//! |---|---|
 //! | Validate a scene and convert it to fixed point | [`SceneBuffer::prepare`], which returns a [`PreparedScene`] or a [`SceneError`] |
-//! | Load a scene compiled on a PC | [`SceneBuffer::decode`], [`scene_buffer!`] |
-//! | Draw a picture | [`Renderer::draw`] |
+//! | Load a scene compiled on a PC, which takes less flash | [`SceneBuffer::decode`], [`scene_buffer!`], [`scene::SceneCounts`] |
+//!
+//! **Draw it.**
+//!
+//! | task | items |
+//! |---|---|
+//! | Draw a picture at a position | [`render::Picture`] |
+//! | Show what is behind the objects | [`render::Picture::transparent`] |
+//! | Fill a whole display | [`Renderer::draw`] |
+//! | Draw in steps, coarse to fine, with other work in between | [`render::RenderProgress`], [`render::Picture::step`], [`Renderer::step`] |
+//! | Feed a watchdog or read buttons while rays are traced | [`observer::Poller`] |
+//! | Smooth edges | [`render::Picture::antialiased`], [`render::AntialiasedRenderer`] |
 //! | Draw lines by DMA | [`Renderer::render_line`] |
-//! | Draw in steps, coarse to fine, with other work in between | [`render::RenderProgress`], [`Renderer::step`] |
-//! | Smooth edges | [`render::AntialiasedRenderer`] |
 //! | Send only the changed parts of a frame | [`render::DirtyLines`] |
-//! | Choose dithering and sRGB | [`render::Output`], [`Renderer::set_output`] |
+//! | Choose dithering and sRGB | [`render::Output`] |
 //! | Draw a color type of one's own | [`render::DisplayColor`] |
+//!
+//! **Move it.**
+//!
+//! | task | items |
+//! |---|---|
 //! | Move the camera | [`Camera::orbited`], [`PreparedScene::set_camera`] |
-//! | Animate a scene | [`animation::Animation`], [`animation::AnimatedScene`] |
+//! | Animate objects, lights and camera by keyframes | [`animation::Animation`], [`animation::AnimatedScene`] |
+//!
+//! **Look inside.**
+//!
+//! | task | items |
+//! |---|---|
 //! | Count rays or print the ray tree | [`observer::Stats`], [`observer::Observer`] |
+//! | Store a prepared scene as bytes | [`PreparedScene::encode`] |
 //!
 //! # Memory
 //!
@@ -81,6 +121,7 @@
 //! | `glass` | materials that transmit light |
 //! | `antialiasing` | [`render::AntialiasedRenderer`] |
 //! | `animation` | the module [`animation`] |
+//! | `embedded-graphics` | embedded-graphics' `Transform` for [`render::Picture`]; without it, the crate depends on `embedded-graphics-core` only |
 //!
 //! [`DrawTarget`]: embedded_graphics_core::draw_target::DrawTarget
 

@@ -99,6 +99,18 @@ impl Scene<'_> {
 }
 
 /// Radiance of rays that hit no object. Each channel of a background color is 0 to 256.
+///
+/// ```
+/// use whitted::{Background, Camera, Scene, color, real, vec3};
+///
+/// let sky = Background::Gradient {
+///     horizon: color!(0.6, 0.76, 0.9),
+///     zenith: color!(0.03, 0.12, 0.42),
+/// };
+/// let camera = Camera::new(vec3!(0, 2, 8), vec3!(0, 1, 0), real!(33));
+/// let scene = Scene { background: sky, ..Scene::new(camera) };
+/// # let _ = scene;
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Background {
     /// Every direction has this color.

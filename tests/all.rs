@@ -27,6 +27,7 @@ mod prepare;
 mod random_scenes;
 mod reference;
 mod render_progress;
+mod rustdoc_images;
 mod shadow_artifacts;
 mod special_scenes;
 mod surfaces;

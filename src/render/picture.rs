@@ -13,6 +13,12 @@ use crate::render::{DisplayColor, Output, RenderProgress, Renderer, Step};
 
 /// A picture of a scene at a position on a display.
 ///
+#[doc = concat!(
+    "![A copper ball and a turquoise ball hover over a user interface](data:image/png;base64,",
+    include_str!("../../docs/images/rustdoc/over_interface.base64"),
+    ")"
+)]
+///
 /// A picture is a [`Drawable`] of embedded-graphics. It can lie anywhere on any target: on a
 /// display whose coordinates do not begin at (0, 0), partly outside the display, or on a display
 /// that is `clipped`, `cropped` or `translated`. Only pixels inside the bounding box of the target

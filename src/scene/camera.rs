@@ -1,6 +1,17 @@
 use crate::math::{Real, Rotation, Unit, Vec3, direction};
 
 /// A pinhole camera.
+///
+/// ```
+/// use whitted::{Camera, Vec3, real, vec3};
+///
+/// // A camera at eye level that looks at the origin, with the lens of a portrait.
+/// let upright = Camera::new(vec3!(0, 1.7, 8), vec3!(0, 0, 0), real!(30));
+/// // The same camera, tilted to the right.
+/// let tilted = Camera { up: vec3!(0.2, 1, 0), ..upright };
+/// assert_eq!(upright.up, vec3!(0, 1, 0));
+/// # assert_eq!(tilted.eye, upright.eye);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Camera {
     /// Position of the camera's pinhole.

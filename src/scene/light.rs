@@ -1,6 +1,16 @@
 use crate::math::{Color, Real, Vec3};
 
 /// A point light. Its intensity does not decrease with distance.
+///
+/// ```
+/// use whitted::{Light, color, vec3};
+///
+/// // A warm lamp at the upper left.
+/// let lamp = Light::point(vec3!(-6, 11, 7), color!(1, 0.9, 0.75));
+/// // The same lamp, but without highlights.
+/// let soft = Light { specular: color!(0, 0, 0), ..lamp };
+/// # assert_eq!(soft.diffuse, lamp.specular);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Light {
     /// Position of the light in world units.

@@ -4,6 +4,31 @@ use crate::math::{Color, Real};
 ///
 /// Each coefficient is a color with channels from 0 to 1. Only the channels of `le` may be greater
 /// than 1.
+///
+/// ```
+/// use whitted::scene::ior;
+/// use whitted::{Color, Material, color, real};
+///
+/// // Red lacquer with a highlight and a faint reflection.
+/// let lacquer = Material {
+///     ka: color!(0.06, 0.004, 0.003),
+///     kd: color!(0.6, 0.04, 0.03),
+///     ks: Color::gray(real!(0.6)),
+///     shininess: real!(120),
+///     kr: Color::gray(real!(0.1)),
+///     ..Material::BLACK
+/// };
+/// let mirror = Material { kr: color!(0.8, 0.82, 0.85), ..Material::BLACK };
+/// let glass = Material {
+///     kr: Color::gray(real!(0.08)),
+///     kt: color!(0.9, 0.95, 0.95),
+///     ior: ior::GLASS,
+///     ..Material::BLACK
+/// };
+/// // A material that glows by itself and needs no light.
+/// let lamp = Material { le: color!(1, 0.9, 0.6), ..Material::BLACK };
+/// # let _ = [lacquer, mirror, glass, lamp];
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Material {
     /// Coefficient of ambient reflection.
@@ -52,10 +77,36 @@ impl Default for Material {
 }
 
 /// Index of a material in [`Scene::materials`](crate::Scene::materials).
+///
+/// ```
+/// use whitted::{Material, MaterialId, Object, color, real, vec3};
+///
+/// const RED: MaterialId = MaterialId(0);
+/// const BLUE: MaterialId = MaterialId(1);
+/// static MATERIALS: [Material; 2] = [
+///     Material { kd: color!(0.6, 0.04, 0.03), ..Material::BLACK },
+///     Material { kd: color!(0.03, 0.1, 0.6), ..Material::BLACK },
+/// ];
+/// let ball = Object::sphere(vec3!(0, 1, 0), real!(1), BLUE);
+/// # let _ = (RED, &MATERIALS, ball);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MaterialId(pub u16);
 
 /// Reflection model that highlights are computed with.
+///
+/// ```
+/// use whitted::scene::SpecularModel;
+/// use whitted::{Material, color, real};
+///
+/// let satin = Material {
+///     ks: color!(0.4, 0.4, 0.4),
+///     shininess: real!(20),
+///     shading: Some(SpecularModel::BlinnPhong),
+///     ..Material::BLACK
+/// };
+/// # let _ = satin;
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum SpecularModel {
     /// Phong's model (1975). A highlight depends on the angle between the view direction and
@@ -68,6 +119,14 @@ pub enum SpecularModel {
 }
 
 /// Indices of refraction of common substances.
+///
+/// ```
+/// use whitted::scene::ior;
+/// use whitted::{Material, color};
+///
+/// let water = Material { kt: color!(0.9, 0.95, 1), ior: ior::WATER, ..Material::BLACK };
+/// # let _ = water;
+/// ```
 pub mod ior {
     use crate::math::Real;
 

@@ -2,6 +2,19 @@ use crate::math::{Real, Vec3};
 use crate::scene::{ClipBox, MaterialId, Shape, Texture};
 
 /// A shape with a texture.
+///
+/// ```
+/// use whitted::{MaterialId, Object, Shape, Texture, real, vec3};
+///
+/// let ball = Object::sphere(vec3!(0, 1, 0), real!(1), MaterialId(0));
+/// let floor = Object::floor(real!(0), Texture::Uniform(MaterialId(1)));
+/// // Any other shape is written with its fields.
+/// let egg = Object {
+///     shape: Shape::Ellipsoid { center: vec3!(2, 1.2, 0), radii: vec3!(0.8, 1.2, 0.8) },
+///     texture: Texture::Uniform(MaterialId(0)),
+/// };
+/// # let _ = [ball, floor, egg];
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Object {
     /// Surface of the object.

@@ -5,10 +5,18 @@ use crate::math::{Real, Vec3};
 /// A surface is closed or open. A closed surface has an inside: a ray that passes through the
 /// surface is refracted where it enters and where it leaves. An open surface has no inside. Shapes
 /// with an axis of symmetry have this axis parallel to the y axis.
+///
+/// The documentation of each variant has an example.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Shape {
     /// A sphere. Its surface is closed.
+    ///
+    /// ```
+    /// # use whitted::{Shape, real, vec3};
+    /// let ball = Shape::Sphere { center: vec3!(0, 1, 0), radius: real!(1) };
+    /// # let _ = ball;
+    /// ```
     Sphere {
         /// Center of the sphere.
         center: Vec3<Real>,
@@ -16,6 +24,12 @@ pub enum Shape {
         radius: Real,
     },
     /// An ellipsoid `x²/a² + y²/b² + z²/c² = 1`. Its surface is closed.
+    ///
+    /// ```
+    /// # use whitted::{Shape, vec3};
+    /// let egg = Shape::Ellipsoid { center: vec3!(0, 1.2, 0), radii: vec3!(0.8, 1.2, 0.8) };
+    /// # let _ = egg;
+    /// ```
     Ellipsoid {
         /// Center of the ellipsoid.
         center: Vec3<Real>,
@@ -25,6 +39,17 @@ pub enum Shape {
     },
     /// A cylinder `x² + z² = r²` without caps. A cylinder that is clipped by `y` is open. An
     /// unbounded cylinder has an inside, so it is closed.
+    ///
+    /// ```
+    /// # use whitted::{Shape, real, vec3};
+    /// // A pipe on the floor, 2 units high.
+    /// let pipe = Shape::Cylinder {
+    ///     origin: vec3!(0, 0, 0),
+    ///     radius: real!(0.5),
+    ///     y: Some([real!(0), real!(2)]),
+    /// };
+    /// # let _ = pipe;
+    /// ```
     Cylinder {
         /// A point on the axis. Heights `y` are relative to this point.
         origin: Vec3<Real>,
@@ -36,6 +61,18 @@ pub enum Shape {
     /// A double cone `x² + z² = (r/h)² (y - h)²` without caps. At y = 0 its radius is r, and the
     /// apex is at y = h. A double cone that is clipped by `y` is open. An unbounded double cone has
     /// an inside, so it is closed.
+    ///
+    /// ```
+    /// # use whitted::{Shape, real, vec3};
+    /// // A cone from the floor to its apex at a height of 2.
+    /// let hat = Shape::Cone {
+    ///     origin: vec3!(0, 0, 0),
+    ///     radius: real!(1),
+    ///     height: real!(2),
+    ///     y: Some([real!(0), real!(2)]),
+    /// };
+    /// # let _ = hat;
+    /// ```
     Cone {
         /// Point on the axis of the double cone at y = 0. All heights `y` are measured from this
         /// point.
@@ -50,6 +87,13 @@ pub enum Shape {
         y: Option<[Real; 2]>,
     },
     /// A paraboloid `x² + z² = y`. Its surface is open.
+    ///
+    /// ```
+    /// # use whitted::{Shape, real, vec3};
+    /// // A bowl on the floor. At its rim, at a height of 1, the radius is 1.
+    /// let bowl = Shape::Paraboloid { origin: vec3!(0, 0, 0), y: [real!(0), real!(1)] };
+    /// # let _ = bowl;
+    /// ```
     Paraboloid {
         /// Vertex of the paraboloid. Heights `y` are relative to this point.
         origin: Vec3<Real>,
@@ -58,6 +102,18 @@ pub enum Shape {
     },
     /// A plane. An unbounded plane has an inside, the half-space behind the normal, so it is
     /// closed. A clipped plane is open.
+    ///
+    /// ```
+    /// # use whitted::scene::ClipBox;
+    /// # use whitted::{Shape, vec3};
+    /// // An unbounded wall behind the scene.
+    /// let wall = Shape::Plane {
+    ///     normal: vec3!(0, 0, 1),
+    ///     point: vec3!(0, 0, -3),
+    ///     bounds: ClipBox::NONE,
+    /// };
+    /// # let _ = wall;
+    /// ```
     Plane {
         /// Normal of the plane. The vector may have any length except 0.
         normal: Vec3<Real>,
@@ -68,6 +124,18 @@ pub enum Shape {
     },
     /// A sphereflake. Twelve smaller spheres touch the largest sphere, twelve still smaller spheres
     /// touch each of these, and so on. The surface of a sphereflake is closed.
+    ///
+    /// ```
+    /// # use whitted::{Shape, real, vec3};
+    /// let flake = Shape::Sphereflake {
+    ///     center: vec3!(0, 1, 0),
+    ///     radius: real!(0.6),
+    ///     depth: 4,
+    ///     ratio: Shape::FLAKE_RATIO,
+    ///     frame: Shape::FLAKE_FRAME,
+    /// };
+    /// # let _ = flake;
+    /// ```
     Sphereflake {
         /// Center of the largest sphere.
         center: Vec3<Real>,
@@ -127,6 +195,23 @@ impl Shape {
 
 /// An axis-aligned box in world coordinates. It clips a plane. On each clipped axis, the low end is
 /// below the high end.
+///
+/// ```
+/// use whitted::scene::ClipBox;
+/// use whitted::{Shape, real, vec3};
+///
+/// // A table top: 4 units wide, 2 units deep.
+/// let table = Shape::Plane {
+///     normal: vec3!(0, 1, 0),
+///     point: vec3!(0, 1, 0),
+///     bounds: ClipBox {
+///         x: Some([real!(-2), real!(2)]),
+///         z: Some([real!(-1), real!(1)]),
+///         ..ClipBox::NONE
+///     },
+/// };
+/// # let _ = table;
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ClipBox {
     /// Low and high end along the x axis. `None` if x is not clipped.

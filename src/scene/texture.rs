@@ -2,6 +2,20 @@ use crate::math::Real;
 use crate::scene::MaterialId;
 
 /// Texture of a surface: it selects the material for each point.
+///
+/// ```
+/// use whitted::scene::Axis;
+/// use whitted::{MaterialId, Object, Texture, real};
+///
+/// // A floor with squares of 1 unit.
+/// let squares = Texture::Checker {
+///     size: real!(1),
+///     axes: [Axis::X, Axis::Z],
+///     materials: [MaterialId(0), MaterialId(1)],
+/// };
+/// let floor = Object::floor(real!(0), squares);
+/// # let _ = floor;
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Texture {
     /// Every point has this material.
@@ -20,6 +34,19 @@ pub enum Texture {
 }
 
 /// An axis of the right-handed world coordinate system.
+///
+/// ```
+/// use whitted::scene::Axis;
+/// use whitted::{MaterialId, Texture, real};
+///
+/// // Squares on a wall that faces the viewer vary along x and y.
+/// let tiles = Texture::Checker {
+///     size: real!(0.5),
+///     axes: [Axis::X, Axis::Y],
+///     materials: [MaterialId(0), MaterialId(1)],
+/// };
+/// # let _ = tiles;
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Axis {
     /// The x axis, which points to the right.
