@@ -1,6 +1,8 @@
 //! `sim animate`.
 
 use std::fs::{self, File};
+#[cfg(target_os = "linux")]
+use std::{process::Stdio, thread::sleep, time::Duration};
 
 use whitted_sim::png16;
 
@@ -187,5 +189,91 @@ keys = [[0, [0, 1, 8]],
     let expected =
         "error: vanishing.toml:12: animation.tracks[0].keys[1]: at 1.000 s, look_at must differ";
     assert!(output.starts_with(expected), "{output}");
+    Ok(())
+}
+
+/// A long GIF takes little more memory than a short one, because its frames are not kept.
+#[cfg(target_os = "linux")]
+#[test]
+fn long_animations_take_little_memory() -> Outcome {
+    let here = Directory::empty("memory")?;
+    let peak = |frames: &str| -> Result<usize, Box<dyn std::error::Error>> {
+        let size = ["--size", "120x90", "--fps", "50", "--frames", frames];
+        let args = [&["animate", "bouncing_ball", "-o", "x.gif"][..], &size].concat();
+        let mut program = here.command(&args).stdout(Stdio::null()).spawn()?;
+        let mut peak = 0;
+        while program.try_wait()?.is_none() {
+            let status = fs::read_to_string(format!("/proc/{}/status", program.id()))?;
+            let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
+            let kilobytes = line.and_then(|line| line.trim().strip_suffix(" kB"));
+            peak = peak.max(kilobytes.map_or(Ok(0), str::parse)?);
+            sleep(Duration::from_millis(5));
+        }
+        assert!(program.wait()?.success());
+        Ok(peak)
+    };
+    let [short, long] = [peak("10")?, peak("200")?];
+    // The other 190 frames have 6 MB.
+    assert!(long < short + 3000, "{short} kB and {long} kB");
+    Ok(())
+}
+
+/// Frame rates up to 50 per second keep the duration, and have no delay below 2/100 s.
+#[test]
+fn gif_delays_keep_the_duration() -> Outcome {
+    let here = Directory::new("rates")?;
+    for fps in ["3", "24", "49", "50"] {
+        let args = ["--size", "4x3", "--fps", fps, "-o", "x.gif"];
+        here.ok(&[&["animate", "bouncing_ball"][..], &args].concat())?;
+        let (_, delays) = gif_frames(&here.0.join("x.gif"))?;
+        assert_eq!(delays.iter().sum::<u16>(), 200, "{fps}");
+        assert!(delays.iter().all(|delay| *delay >= 2), "{delays:?}");
+    }
+    // A delay of 100 s does not fit in 16 bits of milliseconds.
+    let slow = BALL
+        .replace("duration = 1", "duration = 200")
+        .replace("[1, [", "[200, [");
+    fs::write(here.0.join("slow.toml"), slow)?;
+    let args = [
+        "animate",
+        "slow.toml",
+        "--size",
+        "4x3",
+        "--frames",
+        "2",
+        "-o",
+    ];
+    here.ok(&[&args[..], &["x.gif"]].concat())?;
+    assert_eq!(gif_frames(&here.0.join("x.gif"))?.1, [10_000; 2]);
+    here.ok(&[&args[..], &["x.apng"]].concat())?;
+    assert_eq!(apng_frames(&here.0.join("x.apng"))?.1, [10_000; 2]);
+    let slower = BALL.replace("duration = 1", "duration = 2000");
+    fs::write(here.0.join("slow.toml"), slower)?;
+    let message = here.error(&[&args[..], &["x.gif"]].concat())?;
+    assert!(message.starts_with("error: x.gif: a frame of a GIF lasts at most 655.35 s\n"));
+    Ok(())
+}
+
+#[test]
+fn displays_and_antialiasing_apply_to_animations_and_galleries() -> Outcome {
+    let here = Directory::empty("looks")?;
+    let looks: [&[&str]; 4] = [
+        &["--size", "40x30"],
+        &["--size", "40x30", "--antialias", "4"],
+        &["--size", "40x30", "--transfer", "srgb"],
+        &["--display", "ssd1306"],
+    ];
+    let mut pictures = Vec::new();
+    for look in looks {
+        here.ok(&[&["render", "bouncing_ball", "-o", "x.png"], look].concat())?;
+        let picture = png16::read(here.0.join("x.png"))?;
+        let animate = ["animate", "bouncing_ball", "--frames", "1", "-o", "out/"];
+        here.ok(&[&animate[..], look].concat())?;
+        assert!(png16::read(here.0.join("out/frame-0000.png"))? == picture);
+        here.ok(&[&["gallery", "bouncing_ball", "-o", "all"], look].concat())?;
+        assert!(png16::read(here.0.join("all/bouncing_ball.png"))? == picture);
+        assert!(!pictures.contains(&picture), "{look:?}");
+        pictures.push(picture);
+    }
     Ok(())
 }

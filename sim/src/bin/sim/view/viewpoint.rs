@@ -1,4 +1,4 @@
-use whitted::{Camera, PreparedScene, Real, real, vec3};
+use whitted::{Camera, PreparedScene, Real, real};
 use whitted_sim::scene_file::Buffer;
 
 use crate::args::Quality;
@@ -48,8 +48,9 @@ impl Viewpoint {
 
 #[cfg(test)]
 mod tests {
+    use whitted::vec3;
+
     use super::*;
-    use whitted::Vec3;
 
     #[test]
     fn orbits_and_zooms() {
