@@ -90,6 +90,7 @@ fn ignores_answers_to_other_transfers() -> Outcome {
         let other = ticket.wrapping_add(1);
         vec![
             "hello".to_owned(),
+            "x".repeat(100_000),
             line(Answer::Shown { ticket: other }),
             line(Answer::Refused {
                 ticket: other,

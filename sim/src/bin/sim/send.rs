@@ -17,6 +17,9 @@ use crate::outcome::Outcome;
 /// renders. It renders a line in at most two seconds.
 const ANSWER_TIMEOUT: Duration = Duration::from_secs(5);
 
+/// Longest line of a board that is read, in bytes. A port may send other data without end.
+const MAX_LINE: usize = 4096;
+
 /// Baud rate of the serial port. USB ignores the rate, but opening a port requires one.
 const BAUD: u32 = 115_200;
 
@@ -120,15 +123,15 @@ struct Lines<'p> {
 impl Lines<'_> {
     /// Returns the next line, or `None` if no complete line arrives before the deadline.
     fn next_before(&mut self, deadline: Instant) -> Result<Option<String>, String> {
-        loop {
+        while Instant::now() <= deadline {
             if let Some(end) = self.bytes.iter().position(|byte| *byte == b'\n') {
                 let line: Vec<u8> = self.bytes.drain(..=end).collect();
                 return Ok(Some(
                     String::from_utf8_lossy(line.trim_ascii_end()).into_owned(),
                 ));
             }
-            if Instant::now() > deadline {
-                return Ok(None);
+            if self.bytes.len() > MAX_LINE {
+                self.bytes.clear();
             }
             let mut chunk = [0; 256];
             match self.port.read(&mut chunk) {
@@ -138,5 +141,6 @@ impl Lines<'_> {
                 Err(error) => return Err(error.to_string()),
             }
         }
+        Ok(None)
     }
 }
