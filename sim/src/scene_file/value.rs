@@ -216,7 +216,7 @@ impl<'a> Value<'a> {
 }
 
 /// Longest decimal number, in bytes.
-const MAX_DIGITS: usize = 100;
+const MAX_DIGITS: usize = 1000;
 
 fn parse_decimal(text: &str) -> Result<Real, ()> {
     if text.len() > MAX_DIGITS {
