@@ -105,12 +105,12 @@ pub(super) fn choices(rows: &[choices::Row]) -> Result<String> {
         title, flash, base, ..
     } in rows
     {
-        let cell = |index: usize| match base {
-            Some(base) => format!(
-                "{:+}",
-                flash[index].cast_signed() - base[index].cast_signed()
-            ),
-            None => thousands(flash[index]),
+        let cell = |index: usize| {
+            let Some(base) = base else {
+                return thousands(flash[index]);
+            };
+            let sign = if flash[index] < base[index] { "-" } else { "+" };
+            format!("{sign}{}", thousands(flash[index].abs_diff(base[index])))
         };
         let [m0, m3] = [0, 1].map(cell);
         writeln!(text, "| {title} | {m0} | {m3} |")?;
