@@ -9,7 +9,7 @@ use std::error::Error;
 
 use common::Display;
 use embedded_graphics::prelude::*;
-use whitted::animation::{AnimatedScene, Animation, Interpolation, Keyframe, Target, Track};
+use whitted::animation::{Animation, Interpolation, Keyframe, Target, Track};
 use whitted::scene::{Axis, ClipBox};
 use whitted::{
     Background, Camera, Color, Light, Material, MaterialId, Object, Real, Renderer, Scene,
@@ -114,12 +114,10 @@ pub(crate) static HOPS: Animation = Animation {
 
 /// Draws the frame at `time` in seconds.
 pub(crate) fn frame(time: Real) -> Result<Display, Box<dyn Error>> {
-    // `animated` stores the moved copies of 3 objects and 1 light. Firmware would create
-    // `animated` and `buffer` once and use them for all frames.
-    let mut animated = AnimatedScene::<3, 1>::new();
+    // Firmware would prepare the animation once and use it for all frames.
     let mut buffer = SceneBuffer::<3, 1, 4>::new();
-    let moved = animated.frame(&SCENE, &HOPS, time)?;
-    let scene = buffer.prepare(&moved)?;
+    let mut animation = buffer.prepare_animation(&SCENE, &HOPS)?;
+    let scene = animation.frame(time)?;
     let mut display = Display::new(Size::new(120, 120));
     Renderer::new(&scene, display.size()).draw(&mut display)?;
     Ok(display)

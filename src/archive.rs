@@ -57,6 +57,16 @@ pub(crate) struct Reader<'a> {
     pub(crate) missing: Option<&'static str>,
 }
 
+impl<'a> Reader<'a> {
+    pub(crate) fn new(bytes: &'a [u8]) -> Self {
+        Self {
+            bytes,
+            short: false,
+            missing: None,
+        }
+    }
+}
+
 impl Archive for Reader<'_> {
     fn bytes<const N: usize>(&mut self, bytes: &mut [u8; N]) {
         if let Some((first, rest)) = self.bytes.split_first_chunk::<N>() {

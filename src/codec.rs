@@ -4,6 +4,7 @@
 //! ```text
 //! "WHTD"  version: u8  objects, lights, materials: u16
 //! settings, lights, materials, objects
+//! b'A'  duration, shapes and tracks of the animation, if there is one
 //! CRC-32 of everything before it
 //! ```
 //!
@@ -21,6 +22,23 @@ use crate::scene::{SceneCounts, SceneItem};
 const MAGIC: [u8; 4] = *b"WHTD";
 const VERSION: u8 = 3;
 const CHECKSUM: usize = size_of::<u32>();
+/// Byte in front of an animation.
+const ANIMATION: u8 = b'A';
+
+/// The part of a compiled scene that follows its objects.
+pub(crate) trait Section {
+    /// Writes the bytes of the section.
+    fn write(&self, archive: &mut impl Archive);
+}
+
+/// The lists and settings that a compiled scene stores.
+#[derive(Clone, Copy)]
+pub(crate) struct Content<'a> {
+    pub(crate) settings: &'a Settings,
+    pub(crate) lights: &'a [Light],
+    pub(crate) materials: &'a [Material],
+    pub(crate) objects: &'a [Object],
+}
 
 #[derive(Default)]
 struct Header {
@@ -84,9 +102,7 @@ impl SceneCounts {
 impl PreparedScene<'_> {
     /// Returns the number of bytes that [`encode`](Self::encode) writes for this scene.
     pub fn encoded_len(&self) -> usize {
-        let mut counter = Counter(0);
-        visit_all(self, &mut counter);
-        counter.0 + CHECKSUM
+        encoded_len(self.content(), None::<&NoSection>)
     }
 
     /// Writes the scene as bytes that [`SceneBuffer::decode`](crate::SceneBuffer::decode) can
@@ -95,19 +111,51 @@ impl PreparedScene<'_> {
     /// All numbers are little-endian integers, already scaled to the prepared scene. The bytes
     /// begin with a magic number and a version, and end with a CRC-32.
     pub fn encode(&self, out: &mut [u8]) -> Option<usize> {
-        let length = self.encoded_len();
-        let (body, checksum) = out.get_mut(..length)?.split_last_chunk_mut::<CHECKSUM>()?;
-        let mut writer = Writer {
-            out: body,
-            written: 0,
-        };
-        visit_all(self, &mut writer);
-        *checksum = checksum_of(body).to_le_bytes();
-        Some(length)
+        encode(self.content(), None::<&NoSection>, out)
+    }
+
+    fn content(&self) -> Content<'_> {
+        Content {
+            settings: &self.settings,
+            lights: self.lights,
+            materials: self.materials,
+            objects: self.objects,
+        }
     }
 }
 
-fn visit_all(scene: &PreparedScene<'_>, archive: &mut impl Archive) {
+/// Stands for the missing section of a scene without animation.
+enum NoSection {}
+
+impl Section for NoSection {
+    fn write(&self, _: &mut impl Archive) {}
+}
+
+/// Returns the number of bytes that [`encode`] writes.
+pub(crate) fn encoded_len(scene: Content<'_>, animation: Option<&impl Section>) -> usize {
+    let mut counter = Counter(0);
+    visit_all(scene, animation, &mut counter);
+    counter.0 + CHECKSUM
+}
+
+/// Writes a compiled scene. Returns the number of bytes, or `None` if `out` is too short.
+pub(crate) fn encode(
+    scene: Content<'_>,
+    animation: Option<&impl Section>,
+    out: &mut [u8],
+) -> Option<usize> {
+    let length = encoded_len(scene, animation);
+    let (body, checksum) = out.get_mut(..length)?.split_last_chunk_mut::<CHECKSUM>()?;
+    let mut writer = Writer {
+        out: body,
+        written: 0,
+    };
+    visit_all(scene, animation, &mut writer);
+    *checksum = checksum_of(body).to_le_bytes();
+    Some(length)
+}
+
+fn visit_all(scene: Content<'_>, animation: Option<&impl Section>, archive: &mut impl Archive) {
     let mut header = Header {
         magic: MAGIC,
         version: VERSION,
@@ -120,6 +168,11 @@ fn visit_all(scene: &PreparedScene<'_>, archive: &mut impl Archive) {
     visit_list(scene.lights, archive);
     visit_list(scene.materials, archive);
     visit_list(scene.objects, archive);
+    if let Some(animation) = animation {
+        let mut tag = ANIMATION;
+        tag.visit(archive);
+        animation.write(archive);
+    }
 }
 
 fn visit_list<T: Fields + Clone>(list: &[T], archive: &mut impl Archive) {
@@ -132,12 +185,16 @@ fn checksum_of(bytes: &[u8]) -> u32 {
     crc.finish()
 }
 
-/// Decodes a compiled scene into `sink`.
+/// Decodes a compiled scene into `sink`. Returns its settings, and the bytes of its animation, which
+/// are not checked. There are none if the scene has no animation.
 ///
 /// This function is not inlined. Otherwise its local variables would stay on the stack while
 /// the caller draws.
 #[inline(never)]
-pub(crate) fn decode(bytes: &[u8], sink: &mut impl SceneSink) -> Result<Settings, DecodeError> {
+pub(crate) fn decode<'b>(
+    bytes: &'b [u8],
+    sink: &mut impl SceneSink,
+) -> Result<(Settings, Option<&'b [u8]>), DecodeError> {
     sink.clear();
     let (header, mut reader) = open(bytes)?;
     let mut settings = Settings::empty();
@@ -167,10 +224,12 @@ pub(crate) fn decode(bytes: &[u8], sink: &mut impl SceneSink) -> Result<Settings
         check(object.is_valid(header.materials), SceneItem::Object(index))?;
         sink.push_object(object)?;
     }
-    if reader.short || !reader.bytes.is_empty() {
-        return Err(DecodeError::Length);
+    match reader.bytes {
+        _ if reader.short => Err(DecodeError::Length),
+        [] => Ok((settings, None)),
+        [ANIMATION, animation @ ..] => Ok((settings, Some(animation))),
+        _ => Err(DecodeError::Length),
     }
-    Ok(settings)
 }
 
 /// Reads the header of a compiled scene and verifies its version and its checksum. Returns the
@@ -182,11 +241,7 @@ fn open(bytes: &[u8]) -> Result<(Header, Reader<'_>), DecodeError> {
     let (body, checksum) = bytes
         .split_last_chunk::<CHECKSUM>()
         .ok_or(DecodeError::Length)?;
-    let mut reader = Reader {
-        bytes: body,
-        short: false,
-        missing: None,
-    };
+    let mut reader = Reader::new(body);
     let mut header = Header::default();
     header.visit(&mut reader);
     if reader.short {

@@ -3,7 +3,12 @@
 // If one of the features below is disabled, some helper functions have no caller. Without this
 // attribute, the compiler would warn about these functions.
 #![cfg_attr(
-    not(all(feature = "glass", feature = "quadrics", feature = "sphereflake")),
+    not(all(
+        feature = "animation",
+        feature = "glass",
+        feature = "quadrics",
+        feature = "sphereflake"
+    )),
     allow(dead_code, unused_imports)
 )]
 //! Whitted ray tracing in fixed point, for microcontroller displays.
@@ -86,7 +91,8 @@
 //! | task | items |
 //! |---|---|
 //! | Move the camera | [`Camera::orbited`], [`PreparedScene::set_camera`] |
-//! | Animate objects, lights and camera by keyframes | [`animation::Animation`], [`animation::AnimatedScene`] |
+//! | Animate objects, lights and camera by keyframes | [`animation::Animation`], [`SceneBuffer::prepare_animation`] |
+//! | Play an animation compiled on a PC | [`SceneBuffer::decode_animation`], [`animation::PreparedAnimation`] |
 //!
 //! **Look inside.**
 //!
@@ -106,7 +112,7 @@
 //! | stack while drawing | 1.8 KB, and up to 2 KB more for more than 8 generations and sphereflakes |
 //! | [`render::AntialiasedRenderer`] | 0.9 KB, and 32 per pixel of the picture's width |
 //! | [`render::DirtyLines`] | 4 per 32 pixels |
-//! | [`animation::AnimatedScene`] | 144 per object, 72 per light |
+//! | [`animation::PreparedAnimation`] | 0.4 KB, in any scene |
 //!
 //! # Cargo features
 //!

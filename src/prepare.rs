@@ -18,14 +18,20 @@ mod validate;
 
 pub use prepared_scene::PreparedScene;
 
+pub(crate) use camera::moved_camera;
 pub(crate) use culling::{GROUP, SMALL_SCENE};
+pub(crate) use exposure::exposure;
 pub(crate) use light::Light;
 pub(crate) use material::Material;
+pub(crate) use normalize::{extent, fit};
 pub(crate) use object::Object;
 pub(crate) use prepared_scene::{SceneLists, SceneSink};
 pub(crate) use settings::{Camera, MAX_DEPTH, Settings};
+pub(crate) use validate::{
+    camera as validate_camera, light as validate_light, scene as validate_scene,
+};
 
-use crate::geometry::Shape;
+use crate::geometry::{Normalization, Shape};
 use crate::math::{Color, Real, factor, radiance};
 use crate::scene::{Background, Scene, SceneError, SceneItem};
 
@@ -36,8 +42,18 @@ pub(crate) fn prepare(
 ) -> Result<Settings, SceneError> {
     sink.clear();
     validate::scene(scene)?;
-    let normalization = normalize::normalization(scene);
-    let exposure = exposure::exposure(scene);
+    let normalization = normalize::fit(&normalize::extent(scene), scene.objects);
+    let exposure = exposure::exposure(scene, |_, light| *light);
+    prepare_scaled(scene, normalization, exposure, sink)
+}
+
+/// Prepares the items of a valid scene with a given scale and exposure, and passes them to `sink`.
+pub(crate) fn prepare_scaled(
+    scene: &Scene<'_>,
+    normalization: Normalization,
+    exposure: u8,
+    sink: &mut impl SceneSink,
+) -> Result<Settings, SceneError> {
     let camera = camera::camera(&scene.camera, &normalization)?;
     let intensity = |color: Color<Real>| color.map(|c| factor(c, exposure));
     for light in scene.lights {

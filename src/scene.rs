@@ -13,6 +13,7 @@ mod light;
 mod material;
 mod object;
 mod shape;
+mod shape_fields;
 mod texture;
 
 pub use builder::SceneBuilder;

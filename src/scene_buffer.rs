@@ -1,5 +1,7 @@
 use heapless::Vec;
 
+#[cfg(feature = "animation")]
+use crate::animation::{self, Animation, AnimationError, PreparedAnimation};
 use crate::geometry::{CullSphere, LightCone};
 use crate::prepare::{Light, Material, Object, PreparedScene, SceneLists, SceneSink, Settings};
 use crate::scene::{CapacityError, DecodeError, Scene, SceneError};
@@ -68,7 +70,8 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize>
         Ok(self.finish(settings))
     }
 
-    /// Decodes a compiled scene that [`PreparedScene::encode`] wrote.
+    /// Decodes a compiled scene that [`PreparedScene::encode`] wrote. If the scene is animated,
+    /// returns the scene before animation.
     ///
     /// # Errors
     /// Returns an error if the bytes are not a valid compiled scene, or if the scene exceeds
@@ -78,12 +81,53 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize>
         if decoded.is_err() {
             self.clear();
         }
-        let settings = decoded?;
+        let (settings, _) = decoded?;
         Ok(self.finish(settings))
     }
 
+    /// Validates a scene and its animation, and prepares both. All frames have the same scale,
+    /// which fits everything that the tracks reach.
+    ///
+    /// # Errors
+    /// Returns an error for the first track that cannot be played, and its keyframe. If the scene
+    /// before animation cannot be prepared, returns this error.
+    #[cfg(feature = "animation")]
+    pub fn prepare_animation<'b>(
+        &'b mut self,
+        scene: &Scene<'b>,
+        animation: &Animation<'b>,
+    ) -> Result<PreparedAnimation<'b>, AnimationError> {
+        let (settings, script) = animation::prepare(scene, animation, self)?;
+        Ok(PreparedAnimation::new(self.lists(), settings, script))
+    }
+
+    /// Decodes a compiled scene with its animation, which [`PreparedAnimation::encode`] wrote. If
+    /// the scene has no animation, all frames are equal.
+    ///
+    /// The animation borrows the bytes, because it reads its keyframes from them.
+    ///
+    /// # Errors
+    /// Returns an error if the bytes are not a valid compiled scene, or if the scene exceeds
+    /// the capacity of the buffer. After an error, the buffer is empty.
+    #[cfg(feature = "animation")]
+    pub fn decode_animation<'b>(
+        &'b mut self,
+        bytes: &'b [u8],
+    ) -> Result<PreparedAnimation<'b>, DecodeError> {
+        let decoded = animation::decode(bytes, self);
+        if decoded.is_err() {
+            self.clear();
+        }
+        let (settings, script) = decoded?;
+        Ok(PreparedAnimation::new(self.lists(), settings, script))
+    }
+
     fn finish(&mut self, settings: Settings) -> PreparedScene<'_> {
-        let lists = SceneLists {
+        PreparedScene::new(self.lists(), settings)
+    }
+
+    fn lists(&mut self) -> SceneLists<'_> {
+        SceneLists {
             objects: &mut self.objects,
             lights: &mut self.lights,
             materials: &self.materials,
@@ -91,8 +135,7 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const MATERIALS: usize>
             groups: self.groups.as_mut_view(),
             unbounded: self.unbounded.as_mut_view(),
             light_cones: self.light_cones.as_flattened_mut(),
-        };
-        PreparedScene::new(lists, settings)
+        }
     }
 }
 

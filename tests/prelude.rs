@@ -24,10 +24,10 @@ macro_rules! import {
 }
 
 import! {
-    AaSample AnimatedScene Animation AnimationError AnimationProblem AntialiasError
+    AaSample Animation AnimationError AnimationProblem AntialiasError
     AntialiasedPicture AntialiasedRenderer Axis Background Camera ClipBox Color Crc32 DecodeError DirtyLines
     DisplayColor Dither Interpolation Keyframe Light Material MaterialId Object Observer Output
-    Picture Poller PreparedScene Radiance RayKind RayNode Real RenderProgress Renderer SampleCount Scene
+    Picture Poller PreparedAnimation PreparedScene Radiance RayKind RayNode Real RenderProgress Renderer SampleCount Scene
     SceneBuffer SceneBuilder SceneCounts SceneError SceneItem SceneProblem Shape ShapeKind
     SpecularModel Stats Step Target Texture Track Transfer Vec3
     animation codec color ior observer parse_literal real render scene scene_buffer vec3

@@ -42,12 +42,10 @@ mod warning_light;
 use std::io::{Error, ErrorKind};
 use std::path::Path;
 
-use whitted::PreparedScene;
-
 use crate::input;
 
 pub use error::LoadError;
-pub use file::{AnimatedScene, Buffer, SceneFile};
+pub use file::{Buffer, SceneFile};
 pub use file_animation::FileAnimation;
 pub use schema::TableSchema;
 pub use suggest::nearest;
@@ -70,19 +68,9 @@ pub fn parse(name: &str, text: &str) -> Result<SceneFile, LoadError> {
     read::scene_file(&source::Source::new(name, text))
 }
 
-/// Reads a scene file and encodes it for [`whitted::SceneBuffer::decode`].
+/// Reads a scene file and compiles it. See [`SceneFile::compile`].
 pub fn compile(path: impl AsRef<Path>) -> Result<Vec<u8>, LoadError> {
-    let file = load(path)?;
-    let mut buffer = Box::new(Buffer::new());
-    Ok(encode(&file.prepare(&mut buffer)?))
-}
-
-/// Encodes a prepared scene for [`whitted::SceneBuffer::decode`].
-pub fn encode(scene: &PreparedScene<'_>) -> Vec<u8> {
-    let mut bytes = vec![0; scene.encoded_len()];
-    let length = scene.encode(&mut bytes).unwrap_or_default();
-    bytes.truncate(length);
-    bytes
+    load(path)?.compile()
 }
 
 /// Lists the tables of the scene-file format. Each entry has the scene-file keys that the table

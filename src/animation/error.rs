@@ -1,7 +1,9 @@
 use core::fmt;
 
-/// The reason why an animation cannot be applied to a scene. It consists of a track and the
-/// problem of that track.
+use crate::scene::SceneError;
+
+/// The reason why an animated scene cannot be prepared. It consists of a track and the problem of
+/// that track.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct AnimationError {
     /// Number of the track, counted from 0. `None` if the problem concerns the whole animation.
@@ -32,13 +34,19 @@ pub enum AnimationProblem {
     NoRadius(u16),
     /// The scene has no light with this number.
     NoSuchLight(u16),
-    /// The scene has more objects than the [`AnimatedScene`](super::AnimatedScene) holds.
-    TooManyObjects,
-    /// The scene has more lights than the [`AnimatedScene`](super::AnimatedScene) holds.
-    TooManyLights,
+    /// A value is invalid, at the keyframe with this number or between this keyframe and the
+    /// next. A smooth track also reaches values beyond its keyframes.
+    Value(u16, SceneError),
+    /// The scene before animation cannot be prepared.
+    Scene(SceneError),
+    /// The track has more than 65,535 keyframes.
+    TooManyKeys,
+    /// The animation has more than 65,535 tracks.
+    TooManyTracks,
 }
 
 impl AnimationProblem {
+    /// Returns an error that names the track.
     pub(super) fn in_track(self, track: u16) -> AnimationError {
         AnimationError {
             track: Some(track),
@@ -46,6 +54,7 @@ impl AnimationProblem {
         }
     }
 
+    /// Returns an error that concerns the whole animation.
     pub(super) fn in_animation(self) -> AnimationError {
         AnimationError {
             track: None,
@@ -90,14 +99,18 @@ impl fmt::Display for AnimationProblem {
             Self::NoSuchLight(number) => {
                 write!(f, "refers to light {number}, which the scene lacks")
             }
-            Self::TooManyObjects => {
-                f.write_str("too many objects: increase `OBJECTS` of the `AnimatedScene`")
-            }
-            Self::TooManyLights => {
-                f.write_str("too many lights: increase `LIGHTS` of the `AnimatedScene`")
-            }
+            Self::Value(key, error) => write!(f, "keyframe {key}: {error}"),
+            Self::Scene(error) => error.fmt(f),
+            Self::TooManyKeys => f.write_str("the track has more than 65535 keyframes"),
+            Self::TooManyTracks => f.write_str("the animation has more than 65535 tracks"),
         }
     }
 }
 
 impl core::error::Error for AnimationError {}
+
+impl From<SceneError> for AnimationError {
+    fn from(error: SceneError) -> Self {
+        AnimationProblem::Scene(error).in_animation()
+    }
+}

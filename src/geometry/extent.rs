@@ -25,6 +25,30 @@ impl Extent {
         self.high = self.high.zip(point, i64::max);
     }
 
+    /// Enlarges the extent to contain another one.
+    pub(crate) fn add(&mut self, other: &Self) {
+        self.add_point(other.low);
+        self.add_point(other.high);
+    }
+
+    /// Returns a corner of the box. The lowest three bits of `index` select the high ends of x, y
+    /// and z.
+    pub(crate) fn corner(&self, index: u8) -> Vec3<Real> {
+        let side = |bit: u8, low, high| if index & bit == 0 { low } else { high };
+        let (low, high) = (self.low, self.high);
+        Vec3::new(
+            side(1, low.x, high.x),
+            side(2, low.y, high.y),
+            side(4, low.z, high.z),
+        )
+        .map(Real::from_bits)
+    }
+
+    /// Returns the eight corners of the box.
+    pub(crate) fn corners(self) -> impl Iterator<Item = Vec3<Real>> {
+        (0..8).map(move |index| self.corner(index))
+    }
+
     /// Enlarges the extent to contain a box. The arguments are the center of the box and half
     /// of its size.
     #[inline(never)]

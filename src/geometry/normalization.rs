@@ -93,6 +93,22 @@ impl Normalization {
         way.all(|c| c.abs() <= i64::from(NEAR))
     }
 
+    /// Returns true if rays may start at any point of a box.
+    pub(crate) fn has_near(&self, extent: &Extent) -> bool {
+        [extent.low, extent.high]
+            .into_iter()
+            .all(|corner| self.is_near(corner.map(Real::from_bits)))
+    }
+
+    /// Returns true if the prepared coordinates of a box are within ±1.
+    pub(crate) fn contains(&self, extent: &Extent) -> bool {
+        let one = i64::from(Length::ONE.to_bits());
+        [extent.low, extent.high].into_iter().all(|corner| {
+            let way = corner.zip(self.center, |p, c| self.length(p - c));
+            way.all(|c| c.abs() <= one)
+        })
+    }
+
     /// Computes the offset `normal · point` of a plane in the prepared scene, as the raw bits
     /// of a [`Length`]. Returns `None` if the plane is too far away for any ray to reach.
     pub(crate) fn offset(&self, normal: Vec3<Unit>, point: Vec3<Real>) -> Option<i64> {

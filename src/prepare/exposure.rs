@@ -1,6 +1,6 @@
 use crate::math::{Color, Real, multiply};
 use crate::scene;
-use crate::scene::{Background, Scene};
+use crate::scene::{Background, Light, Scene};
 
 /// Returns the reflected ambient light of a material: `ka * ia`.
 #[inline(never)]
@@ -11,13 +11,21 @@ pub(super) fn ambient(material: &scene::Material, scene: &Scene<'_>) -> Color<Re
 /// Returns the exposure of a scene. All light in the scene is divided by `2^exposure`. After
 /// the division, the colors of lights and background are within 0 to 1. The radiance of a
 /// surface, without its reflected and transmitted rays, is then below 4.
-pub(super) fn exposure(scene: &Scene<'_>) -> u8 {
+///
+/// `brightest` returns the light with the greatest intensities that it ever has. Its arguments are
+/// the number of the light and the light.
+pub(crate) fn exposure(scene: &Scene<'_>, brightest: impl Fn(u16, &Light) -> Light) -> u8 {
     /// Greatest radiance of a surface after the division. The value is a little below 4 to
     /// leave room for rounding.
     const MOST: Real = Real::lit("3.99");
     let mut exponent = 0;
     let mut fit = |color, white| fit(&mut exponent, color, white);
-    for light in scene.lights {
+    let lights = || {
+        (0..)
+            .zip(scene.lights)
+            .map(|(index, light)| brightest(index, light))
+    };
+    for light in lights() {
         fit(light.diffuse, Real::ONE);
         fit(light.specular, Real::ONE);
     }
@@ -30,7 +38,7 @@ pub(super) fn exposure(scene: &Scene<'_>) -> u8 {
     }
     for material in scene.materials {
         let mut sum = ambient(material, scene).zip(material.le, Real::saturating_add);
-        for light in scene.lights {
+        for light in lights() {
             let diffuse = material.kd.zip(light.diffuse, multiply);
             let specular = material.ks.zip(light.specular, multiply);
             sum = sum

@@ -1,7 +1,7 @@
 use crate::archive;
 use crate::archive::{Archive, Fields};
 use crate::geometry::{SurfaceFlags, valid};
-use crate::math::{Color, Factor, Length, Vec3};
+use crate::math::{Color, Factor, Length, Real, Vec3, factor};
 
 /// A prepared point light, which takes 28 bytes.
 #[derive(Clone, Copy, Debug, Default)]
@@ -27,6 +27,12 @@ impl Light {
             specular: self.specular.filtered(transmittance),
             ..*self
         }
+    }
+
+    /// Sets the color for diffuse reflection and for highlights. `exposure` is that of the scene.
+    pub(crate) fn set_color(&mut self, color: Color<Real>, exposure: u8) {
+        let color = color.map(|c| factor(c, exposure));
+        (self.diffuse, self.specular) = (color, color);
     }
 
     /// Returns true if every field is within its valid range. Tracing relies on these ranges.

@@ -28,6 +28,11 @@ impl Object {
         }
     }
 
+    /// Replaces the shape and keeps the texture.
+    pub(crate) fn set_shape(&mut self, shape: Shape) {
+        *self = Self::new(shape, self.texture);
+    }
+
     /// Returns true if every field is within its valid range. Tracing relies on these ranges.
     pub(crate) fn is_valid(&self, materials: u16) -> bool {
         self.shape.is_valid() && self.texture.is_valid(materials)

@@ -38,6 +38,21 @@ pub(crate) struct SceneLists<'b> {
     pub(crate) light_cones: &'b mut [LightCone],
 }
 
+impl SceneLists<'_> {
+    /// Returns lists that borrow these lists.
+    pub(crate) fn reborrow(&mut self) -> SceneLists<'_> {
+        SceneLists {
+            objects: self.objects,
+            lights: self.lights,
+            materials: self.materials,
+            bounded: self.bounded,
+            groups: self.groups,
+            unbounded: self.unbounded,
+            light_cones: self.light_cones,
+        }
+    }
+}
+
 /// A scene that is ready to be rendered, in the memory of a
 /// [`SceneBuffer`](crate::SceneBuffer).
 #[derive(Clone, Copy)]

@@ -26,7 +26,7 @@ fn color(
 }
 
 /// Runs all checks that do not depend on the scale of the scene.
-pub(super) fn scene(scene: &Scene<'_>) -> Result<(), SceneError> {
+pub(crate) fn scene(scene: &Scene<'_>) -> Result<(), SceneError> {
     max_depth(scene.max_depth)?;
     min_weight(scene.min_weight)?;
     color(SceneItem::Scene, "ambient", scene.ambient, BRIGHTEST)?;
@@ -82,7 +82,7 @@ pub(crate) fn min_weight(min_weight: Real) -> Result<Factor, SceneError> {
     Ok(factor(min_weight, 0))
 }
 
-pub(super) fn camera(camera: &Camera) -> Result<(), SceneError> {
+pub(crate) fn camera(camera: &Camera) -> Result<(), SceneError> {
     let item = SceneItem::Camera;
     limits::point(item, "eye", camera.eye)?;
     limits::point(item, "look_at", camera.look_at)?;
@@ -95,7 +95,7 @@ pub(super) fn camera(camera: &Camera) -> Result<(), SceneError> {
     )
 }
 
-fn light(item: SceneItem, light: &Light) -> Result<(), SceneError> {
+pub(crate) fn light(item: SceneItem, light: &Light) -> Result<(), SceneError> {
     limits::point(item, "position", light.position)?;
     color(item, "diffuse", light.diffuse, BRIGHTEST)?;
     color(item, "specular", light.specular, BRIGHTEST)

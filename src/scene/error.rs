@@ -190,6 +190,8 @@ pub enum DecodeError {
     Checksum,
     /// The checksum and the length are right, but a value of the item is invalid.
     Invalid(SceneItem),
+    /// The checksum is right, but the animation has an invalid value.
+    InvalidAnimation,
     /// A list of the scene is longer than the capacity of the buffer.
     TooMany {
         /// Name of the list: `"objects"`, `"lights"` or `"materials"`.
@@ -212,6 +214,7 @@ impl fmt::Display for DecodeError {
             Self::Length => f.write_str("wrong length: the scene is truncated or too long"),
             Self::Checksum => f.write_str("wrong checksum: the scene is damaged or truncated"),
             Self::Invalid(item) => write!(f, "{item} has an invalid value"),
+            Self::InvalidAnimation => f.write_str("the animation has an invalid value"),
             // This message does not use `SceneError`, because `SceneError` would link the
             // formatting of fixed-point numbers into firmware.
             Self::TooMany { list, capacity } => {

@@ -3,7 +3,7 @@
 use anyhow::{Context, Result, ensure};
 use embedded_graphics_core::prelude::Size;
 use whitted::SceneBuffer;
-use whitted::animation::AnimatedScene;
+use whitted::animation::PreparedAnimation;
 use whitted_sim::render;
 
 use crate::core::Core;
@@ -23,11 +23,12 @@ const LOOP: u16 = 54;
 pub fn soak(core: Core, frames: u16) -> Result<u32> {
     let machine = Machine::of(core);
     let firmware = machine.start(&machine.rig("soak").build(None)?)?;
-    let mut host = Host::default();
+    let mut buffer = Box::new(SceneBuffer::<5, 1, 5>::new());
+    let mut animation = buffer.prepare_animation(&scene::SCENE, &scene::ANIMATION)?;
     let mut peak = 0;
     for frame in 0..frames {
         let line = firmware.line()?;
-        let expected = format!("{frame}: {:08x} ", host.checksum(frame)?);
+        let expected = format!("{frame}: {:08x} ", checksum(&mut animation, frame)?);
         let stack = line
             .strip_prefix(&expected)
             .with_context(|| format!("{core} prints {line:?}, expected {expected:?}"))?
@@ -43,21 +44,12 @@ pub fn soak(core: Core, frames: u16) -> Result<u32> {
     Ok(peak)
 }
 
-/// Draws the frames on the host.
-#[derive(Default)]
-struct Host {
-    animated: Box<AnimatedScene<5, 1>>,
-    buffer: Box<SceneBuffer<5, 1, 5>>,
-}
-
-impl Host {
-    fn checksum(&mut self, frame: u16) -> Result<u32> {
-        let time = frames::time(frame);
-        let moved = self
-            .animated
-            .frame(&scene::SCENE, &scene::ANIMATION, time)?;
-        let [width, height] = frames::SIZE;
-        let picture = render::linear(&self.buffer.prepare(&moved)?, Size::new(width, height));
-        Ok(render::checksum(&picture))
-    }
+/// Draws a frame on the host.
+fn checksum(animation: &mut PreparedAnimation<'_>, frame: u16) -> Result<u32> {
+    let [width, height] = frames::SIZE;
+    let scene = animation.frame(frames::time(frame))?;
+    Ok(render::checksum(&render::linear(
+        &scene,
+        Size::new(width, height),
+    )))
 }

@@ -28,13 +28,17 @@ impl SceneFile {
             AnimationProblem::OutsideDuration(index) => self
                 .error_at(key(index), "is outside the duration")
                 .help("use a time from 0 to `duration`, or increase `duration`"),
+            AnimationProblem::Value(index, error) => self
+                .error_at(key(index), format!("{} {}", error.field, error.problem))
+                .help("change this keyframe, or the curve from here to the next keyframe"),
+            AnimationProblem::Scene(error) => self.explain(error),
             problem => self.error_at(keys, problem.to_string()),
         }
     }
 
-    /// Converts an error that the library reports for the animated scene at `time`. The new error
-    /// names the track that may be the cause, and its last keyframe before `time`. If no track may be the cause, the new error names the
-    /// scene-file key of the rejected value.
+    /// Converts an error that the library reports for the frame at `time`. The new error names the
+    /// track that may be the cause, and its last keyframe before `time`. If no track may be the
+    /// cause, the new error names the scene-file key of the rejected value.
     pub fn explain_frame(&self, error: SceneError, time: Real) -> LoadError {
         let mut tracks = self.animation.iter().flat_map(|it| &it.tracks).enumerate();
         if let Some((index, track)) = tracks.find(|(_, track)| may_cause(track.target, &error)) {

@@ -14,9 +14,6 @@ pub(super) const MAX_MATERIALS: usize = 256;
 /// Scene buffer for scene files. Its capacity is 256 objects, 16 lights and 256 materials.
 pub type Buffer = SceneBuffer<MAX_OBJECTS, MAX_LIGHTS, MAX_MATERIALS>;
 
-/// Buffer for the frames of an animated scene file. Its capacity is 256 objects and 16 lights.
-pub type AnimatedScene = whitted::animation::AnimatedScene<256, 16>;
-
 /// Content of a scene file. This type owns its lists, while a [`Scene`] borrows its lists.
 #[derive(Clone, Debug)]
 pub struct SceneFile {

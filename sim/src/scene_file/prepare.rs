@@ -1,7 +1,7 @@
-use whitted::{PreparedScene, Real, Scene};
+use whitted::PreparedScene;
 
 use super::error::LoadError;
-use super::file::{AnimatedScene, Buffer, SceneFile};
+use super::file::{Buffer, SceneFile};
 
 impl SceneFile {
     /// Prepares the scene.
@@ -14,22 +14,25 @@ impl SceneFile {
             .map_err(|error| self.explain(error))
     }
 
-    /// Returns the scene at a time of its animation, in seconds. If the file has no table
-    /// `[animation]`, the scene is returned unchanged.
+    /// Compiles the scene and its animation. [`whitted::SceneBuffer::decode_animation`] reads the
+    /// bytes.
     ///
     /// # Errors
-    /// Returns the line and key of the first track that the library rejects.
-    pub fn frame<'s>(
-        &'s self,
-        buffer: &'s mut AnimatedScene,
-        time: Real,
-    ) -> Result<Scene<'s>, LoadError> {
+    /// Returns the line and key of the first value that the library rejects.
+    pub fn compile(&self) -> Result<Vec<u8>, LoadError> {
+        let mut buffer = Box::new(Buffer::new());
         let Some(animation) = &self.animation else {
-            return Ok(self.scene());
+            let scene = self.prepare(&mut buffer)?;
+            return Ok(written(scene.encoded_len(), |out| scene.encode(out)));
         };
-        animation
-            .with_animation(|animation| buffer.frame(&self.scene(), animation, time))
-            .map_err(|error| self.explain_animation(error))
+        animation.with_animation(|animation| {
+            let animation = buffer
+                .prepare_animation(&self.scene(), animation)
+                .map_err(|error| self.explain_animation(error))?;
+            Ok(written(animation.encoded_len(), |out| {
+                animation.encode(out)
+            }))
+        })
     }
 
     /// Prepares frames over the whole animation, if the scene has one: at 256 times with equal
@@ -41,12 +44,13 @@ impl SceneFile {
         let Some(animation) = &self.animation else {
             return Ok(());
         };
-        let mut animated = Box::new(AnimatedScene::new());
+        let compiled = self.compile()?;
         let mut buffer = Box::new(Buffer::new());
+        let frames = buffer.decode_animation(&compiled);
+        let mut frames = frames.map_err(|error| self.error_at(String::new(), error.to_string()))?;
         for time in animation.sample_times() {
-            let scene = self.frame(&mut animated, time)?;
-            buffer
-                .prepare(&scene)
+            frames
+                .frame(time)
                 .map_err(|error| self.explain_frame(error, time))?;
         }
         Ok(())
@@ -61,4 +65,12 @@ impl SceneFile {
             .with_animation(|animation| animation.check(&self.scene()))
             .map_err(|error| self.explain_animation(error))
     }
+}
+
+/// Allocates `length` bytes and writes to them.
+fn written(length: usize, write: impl FnOnce(&mut [u8]) -> Option<usize>) -> Vec<u8> {
+    let mut bytes = vec![0; length];
+    let written = write(&mut bytes).unwrap_or_default();
+    bytes.truncate(written);
+    bytes
 }

@@ -9,7 +9,8 @@ fn rejects_bad_input() -> Outcome {
     let here = Directory::new("bad")?;
     fs::write(here.0.join("bad.toml"), "colour = 1\n")?;
     fs::write(here.0.join("bad.scene"), [0xff, 0xfe])?;
-    let cases: [(&[&str], &str); 37] = [
+    here.ok(&["compile", "whitted", "-o", "still.scene"])?;
+    let cases: [(&[&str], &str); 38] = [
         (
             &["render", "bad.toml"],
             "error: bad.toml:1: colour: a scene has no such key\n  help: ",
@@ -142,7 +143,11 @@ fn rejects_bad_input() -> Outcome {
         ),
         (
             &["animate", "bad.scene", "-o", "x.gif"],
-            "error: bad.scene: a compiled scene has no animation\n  help: ",
+            "error: bad.scene: not a compiled scene\n  help: ",
+        ),
+        (
+            &["animate", "still.scene", "-o", "x.gif"],
+            "error: still.scene: this compiled scene has no animation\n  help: ",
         ),
         (
             &["animate", "whitted", "-o", "x.gif", "--frames", "20000"],

@@ -4,14 +4,15 @@ use super::modules::{Crate, Dependency};
 
 /// Lists the top-level modules of the library in layers, one layer in each row. A module may use
 /// itself and the modules in earlier rows.
-const LAYERS: [&[&str]; 9] = [
+const LAYERS: [&[&str]; 10] = [
     &["math"],
     &["archive"],
     &["scene"],
-    &["animation", "observer"],
+    &["observer"],
     &["geometry"],
     &["prepare"],
     &["codec"],
+    &["animation"],
     &["scene_buffer", "trace"],
     &["render"],
 ];

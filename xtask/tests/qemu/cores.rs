@@ -2,7 +2,6 @@
 
 use anyhow::Result;
 use embedded_graphics::prelude::*;
-use whitted::animation::AnimatedScene;
 use whitted_sim::{render, scene_file};
 use xtask::core::Core;
 use xtask::qemu::{Arithmetic, Machine};
@@ -47,12 +46,11 @@ fn all_cores_draw_the_same_pictures() -> Result<()> {
 #[test]
 fn all_cores_draw_the_same_animation() -> Result<()> {
     let [width, height] = moving::SIZE;
-    let mut animated = Box::new(AnimatedScene::<5, 1>::new());
     let mut buffer = Box::new(scene_file::Buffer::new());
+    let mut animation = buffer.prepare_animation(&moving::SCENE, &moving::ANIMATION)?;
     let mut expected = Vec::new();
     for time in moving::TIMES {
-        let frame = animated.frame(&moving::SCENE, &moving::ANIMATION, time)?;
-        let picture = render::linear(&buffer.prepare(&frame)?, Size::new(width, height));
+        let picture = render::linear(&animation.frame(time)?, Size::new(width, height));
         expected.push(format!("{:08x}", render::checksum(&picture)));
     }
     for core in Core::DISTINCT {

@@ -1,7 +1,7 @@
 //! `sim animate`: renders an animated scene frame by frame.
 //!
 //! ```text
-//! schedule (times) ── frames (scene file, keyframes, draw) ──> GIF, APNG, or numbered PNGs
+//! schedule (times) ── frames (compiled scene, draw) ──> GIF, APNG, or numbered PNGs
 //! ```
 
 mod apng;
@@ -17,7 +17,7 @@ mod schedule;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use whitted_sim::scene_file::{FileAnimation, SceneFile};
+use whitted_sim::scene_file::{Buffer, FileAnimation};
 
 use crate::args::{Animate, Container};
 use crate::console::Console;
@@ -33,15 +33,19 @@ use schedule::Schedule;
 /// Renders all frames of a scene's animation.
 pub(crate) fn animate(options: &Animate) -> Outcome {
     let path = find(&options.scene)?;
-    let mut file = scene_file(&path)?;
-    let has_animation = file.animation.is_some();
-    let animation = file
-        .animation
-        .get_or_insert_with(FileAnimation::single_orbit);
-    let schedule = Schedule::new(animation, options.fps, options.frames)?;
+    let mut scene = Scene::read(&path)?;
+    let has_animation = add_orbit(&mut scene);
+    let compiled = scene.compile()?;
+    let mut buffer = Box::new(Buffer::new());
+    let animation = buffer.decode_animation(&compiled)?;
+    if !animation.is_animated() {
+        return Err(without_animation(&path).into());
+    }
+    let (duration, looping) = (animation.duration(), animation.is_looping());
+    let schedule = Schedule::new(duration, looping, options.fps, options.frames)?;
     let container = container(&options.output, options.container)?;
     let settings = Settings::new(options.quality.size, options.display_options, options.edges);
-    let frames = || Frames::new(&file, options.quality, settings, &schedule);
+    let frames = || Frames::new(&scene, animation, options.quality, settings, &schedule);
     let mut console = Console::beside(&options.output);
     write(&options.output, &[path], container, &schedule, frames)?;
     if !has_animation {
@@ -79,12 +83,20 @@ fn write<'a>(
     }
 }
 
-fn scene_file(path: &Path) -> Outcome<SceneFile> {
-    match Scene::read(path)? {
-        Scene::File(file) => Ok(*file),
-        Scene::Compiled { name, .. } => Err(format!(
-            "{name}: a compiled scene has no animation\n  help: animate the scene file that it was compiled from"
-        )
-        .into()),
-    }
+/// If a scene file has no animation, adds an orbit of the camera. Returns false in this case.
+fn add_orbit(scene: &mut Scene) -> bool {
+    let Scene::File(file) = scene else {
+        return true;
+    };
+    let has_animation = file.animation.is_some();
+    file.animation
+        .get_or_insert_with(FileAnimation::single_orbit);
+    has_animation
+}
+
+fn without_animation(path: &Path) -> String {
+    format!(
+        "{}: this compiled scene has no animation\n  help: animate the scene file that it was compiled from",
+        path.display()
+    )
 }

@@ -5,7 +5,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use whitted::{DecodeError, PreparedScene};
+use whitted::{DecodeError, PreparedScene, Real, SceneError};
 use whitted_sim::input;
 use whitted_sim::scene_file::{self, Buffer, LoadError, SceneFile};
 
@@ -68,9 +68,8 @@ impl Scene {
         match self {
             Self::File(file) => Ok(file.prepare(buffer)?),
             Self::Compiled { name, bytes } => {
-                let help = "recompile it with `cargo sim compile SCENE -o FILE`";
                 let scene = buffer.decode(bytes);
-                scene.map_err(|error| format!("{name}: {error}\n  help: {help}").into())
+                scene.map_err(|error| undecodable(name, error).into())
             }
         }
     }
@@ -104,10 +103,23 @@ impl Scene {
         }
     }
 
-    /// Compiles the scene to its binary format.
+    /// Compiles the scene and its animation to the binary format.
     pub(crate) fn compile(&self) -> Outcome<Vec<u8>> {
-        let mut buffer = Box::new(Buffer::new());
-        Ok(scene_file::encode(&self.prepare(&mut buffer)?))
+        match self {
+            Self::File(file) => Ok(file.compile()?),
+            Self::Compiled { name, bytes } => match Buffer::new().decode_animation(bytes) {
+                Ok(_) => Ok(bytes.clone()),
+                Err(error) => Err(undecodable(name, error).into()),
+            },
+        }
+    }
+
+    /// Converts an error that the library reports for the frame at `time`.
+    pub(crate) fn explain_frame(&self, error: SceneError, time: Real) -> String {
+        match self {
+            Self::File(file) => file.explain_frame(error, time).to_string(),
+            Self::Compiled { name, .. } => format!("{name}: at {time:.3} s, {error}"),
+        }
     }
 
     /// Returns the title of the scene, if it has one.
@@ -139,6 +151,10 @@ pub(crate) fn apply_overrides(scene: &mut PreparedScene<'_>, quality: &Quality) 
         set.map_err(|error| format!("--min-weight {min_weight}: {}", error.problem))?;
     }
     Ok(())
+}
+
+fn undecodable(name: &str, error: DecodeError) -> String {
+    format!("{name}: {error}\n  help: recompile it with `cargo sim compile SCENE -o FILE`")
 }
 
 fn decode(bytes: &[u8]) -> Result<(), DecodeError> {

@@ -17,6 +17,7 @@ use crate::output::{FileType, Output};
 pub(crate) fn check(path: &Path) -> Outcome {
     let scene = Scene::open(path)?;
     let mut buffer = Box::new(Buffer::new());
+    let compiled = scene.compile()?;
     scene.check_frames()?;
     let prepared = scene.prepare(&mut buffer)?;
     let counts = prepared.counts();
@@ -38,7 +39,7 @@ pub(crate) fn check(path: &Path) -> Outcome {
         console,
         "prepared: {bytes} bytes, SceneBuffer<{objects}, {lights}, {materials}>"
     )?;
-    writeln!(console, "compiled: {} bytes", prepared.encoded_len())?;
+    writeln!(console, "compiled: {} bytes", compiled.len())?;
     for warning in scene.warnings(&prepared) {
         writeln!(Console::Stderr, "warning: {warning}")?;
     }

@@ -5,6 +5,7 @@
 //! watch (files) ── changes ──┘    └── status: text below the picture
 //! ```
 
+mod clock;
 mod cycle;
 mod frame;
 mod keys;

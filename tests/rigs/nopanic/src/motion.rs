@@ -2,7 +2,7 @@
 
 use core::hint::black_box;
 
-use whitted::animation::{AnimatedScene, Animation, Interpolation, Keyframe, Target, Track};
+use whitted::animation::{Animation, Interpolation, Keyframe, PreparedAnimation, Target, Track};
 use whitted::{Real, real, vec3};
 
 use crate::scenes::{Buffer, SCENE, number};
@@ -24,20 +24,38 @@ static ANIMATION: Animation = Animation {
     }],
 };
 
+/// Prepares, compiles, decodes and plays an animation.
 pub(crate) fn play() {
     let (scene, animation) = (black_box(&SCENE), black_box(&ANIMATION));
     if let Err(error) = animation.check(scene) {
         text::print(&error);
     }
-    black_box(animation.camera(scene.camera, number()).is_ok());
-
-    let mut animated = AnimatedScene::<2, 1>::new();
     let mut buffer = Buffer::new();
-    match animated.frame(scene, animation, number()) {
-        Ok(frame) => match buffer.prepare(&frame) {
-            Ok(scene) => displays::draw_on_all(black_box(&scene)),
-            Err(error) => text::print(&error),
-        },
+    match buffer.prepare_animation(scene, animation) {
+        Ok(mut animation) => {
+            let mut bytes = [0; 64];
+            let out: &mut [u8] = black_box(&mut bytes);
+            black_box((animation.encoded_len(), animation.encode(out)));
+            draw(&mut animation);
+        }
+        Err(error) => text::print(&error),
+    }
+    let bytes: &[u8] = black_box(&[]);
+    match buffer.decode_animation(bytes) {
+        Ok(mut animation) => draw(&mut animation),
+        Err(error) => text::print(&error),
+    }
+}
+
+fn draw(animation: &mut PreparedAnimation<'_>) {
+    black_box((
+        animation.is_animated(),
+        animation.is_looping(),
+        animation.duration(),
+    ));
+    black_box(animation.counts());
+    match animation.frame(number()) {
+        Ok(scene) => displays::draw_on_all(black_box(&scene)),
         Err(error) => text::print(&error),
     }
 }

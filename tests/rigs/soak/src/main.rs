@@ -16,34 +16,32 @@ use embedded_graphics_core::prelude::Size;
 use frames::{SIZE, time};
 use measure::{Checksum, peak_stack};
 use scene::{ANIMATION, SCENE};
-use whitted::animation::AnimatedScene;
+use whitted::animation::PreparedAnimation;
 use whitted::{Renderer, SceneBuffer};
 
 #[entry]
 fn main() -> ! {
     static mut BUFFER: SceneBuffer<5, 1, 5> = SceneBuffer::new();
-    static mut ANIMATED: AnimatedScene<5, 1> = AnimatedScene::new();
 
+    let Ok(mut animation) = BUFFER.prepare_animation(&SCENE, &ANIMATION) else {
+        mps2::print("error: the animation cannot be prepared\n");
+        mps2::exit();
+    };
     let mut frame = 0;
     loop {
-        match draw(frame, ANIMATED, BUFFER) {
+        match draw(frame, &mut animation) {
             Some(checksum) => {
                 mps2::print(format_args!("{frame}: {checksum:08x} {}\n", peak_stack()))
             }
-            None => mps2::print("error: the scene cannot be prepared\n"),
+            None => mps2::print("error: the camera has no direction\n"),
         }
         frame = frame.wrapping_add(1);
     }
 }
 
-/// Draws a frame and returns its checksum, or `None` if the scene cannot be prepared.
-fn draw(
-    frame: u16,
-    animated: &mut AnimatedScene<5, 1>,
-    buffer: &mut SceneBuffer<5, 1, 5>,
-) -> Option<u32> {
-    let moved = animated.frame(&SCENE, &ANIMATION, time(frame)).ok()?;
-    let prepared = buffer.prepare(&moved).ok()?;
+/// Draws a frame and returns its checksum, or `None` if its camera has no direction.
+fn draw(frame: u16, animation: &mut PreparedAnimation<'_>) -> Option<u32> {
+    let prepared = animation.frame(time(frame)).ok()?;
     let mut renderer = Renderer::new(&prepared, Size::new(SIZE[0], SIZE[1]));
     let mut checksum = Checksum::default();
     (0..SIZE[1]).find_map(|_| checksum.line(&mut renderer))

@@ -1,15 +1,15 @@
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics_simulator::OutputImage;
+use whitted::animation::PreparedAnimation;
 use whitted::{PreparedScene, Real};
-use whitted_sim::scene_file::{AnimatedScene, Buffer, SceneFile};
 
 use super::schedule::Schedule;
 use crate::args::Quality;
 use crate::display::Display;
 use crate::draw::{Settings, draw_frame};
 use crate::estimate;
-use crate::open::apply_overrides;
+use crate::open::{Scene, apply_overrides};
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 
@@ -24,16 +24,16 @@ pub(super) struct Frames<'a> {
 impl<'a> Frames<'a> {
     /// Starts an animation, and announces it if it takes minutes.
     pub(super) fn new(
-        file: &'a SceneFile,
+        scene: &'a Scene,
+        animation: PreparedAnimation<'a>,
         quality: Quality,
         settings: Settings,
         schedule: &'a Schedule,
     ) -> Outcome<Self> {
         let mut animation = Animation {
-            file,
+            scene,
+            animation,
             quality,
-            animated: Box::new(AnimatedScene::new()),
-            buffer: Box::new(Buffer::new()),
         };
         let (size, count) = (settings.display.size, schedule.times.len());
         let first = animation.prepare(schedule.times.first().copied().unwrap_or_default())?;
@@ -84,21 +84,18 @@ impl<'a> Frames<'a> {
     }
 }
 
-/// An animated scene and the buffers for one of its frames.
+/// An animated scene, and limits of the ray tree from the command line.
 struct Animation<'a> {
-    file: &'a SceneFile,
+    scene: &'a Scene,
+    animation: PreparedAnimation<'a>,
     quality: Quality,
-    animated: Box<AnimatedScene>,
-    buffer: Box<Buffer>,
 }
 
 impl Animation<'_> {
     /// Prepares the scene at a time in seconds.
     fn prepare(&mut self, time: Real) -> Outcome<PreparedScene<'_>> {
-        let Self { file, .. } = *self;
-        let scene = file.frame(&mut self.animated, time)?;
-        let prepared = self.buffer.prepare(&scene);
-        let mut prepared = prepared.map_err(|error| file.explain_frame(error, time))?;
+        let prepared = self.animation.frame(time);
+        let mut prepared = prepared.map_err(|error| self.scene.explain_frame(error, time))?;
         apply_overrides(&mut prepared, &self.quality)?;
         Ok(prepared)
     }

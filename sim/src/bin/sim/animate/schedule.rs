@@ -1,7 +1,6 @@
 //! Times and durations of the frames of an animation.
 
 use whitted::Real;
-use whitted_sim::scene_file::FileAnimation;
 
 use crate::outcome::Outcome;
 
@@ -21,25 +20,23 @@ pub(super) struct Schedule {
 }
 
 impl Schedule {
-    /// Creates the schedule from a frame rate and a number of frames, which are both optional.
+    /// Creates the schedule of an animation from its duration in seconds, and from a frame rate and
+    /// a number of frames, which are both optional.
     ///
     /// If the rate and the number are both given, the frames start at time 0 and may cover only a
     /// part of the animation. Otherwise, the frames cover the whole animation. In this case, the
     /// last frame of a looping animation is before its end, because the end looks like the start.
     /// The last of several frames of any other animation is at its end.
     pub(super) fn new(
-        animation: &FileAnimation,
+        duration: Real,
+        looping: bool,
         fps: Option<u16>,
         frames: Option<u16>,
     ) -> Outcome<Self> {
         let rate = Real::from(fps.unwrap_or(DEFAULT_FPS));
         let count = match frames {
             Some(frames) => frames.into(),
-            None => rate
-                .saturating_mul(animation.duration)
-                .round()
-                .to_num::<i64>()
-                .max(1),
+            None => rate.saturating_mul(duration).round().to_num::<i64>().max(1),
         };
         if count > MAX_FRAMES {
             let help = "use a smaller --frames or --fps";
@@ -54,16 +51,16 @@ impl Schedule {
         };
         let time = |index| match (fps, frames) {
             (Some(_), Some(_)) => Real::from_num(index) / rate,
-            _ if animation.looping => fraction(animation.duration, index, count),
-            _ => fraction(animation.duration, index, count - 1),
+            _ if looping => fraction(duration, index, count),
+            _ => fraction(duration, index, count - 1),
         };
         Ok(Self {
             times: (0..count).map(time).collect(),
             interval: match (fps, frames) {
                 (Some(_), Some(_)) => Real::ONE / rate,
-                _ => animation.duration / Real::from_num(count),
+                _ => duration / Real::from_num(count),
             },
-            looping: animation.looping,
+            looping,
         })
     }
 
@@ -94,9 +91,7 @@ mod tests {
     use super::*;
 
     fn times(looping: bool, fps: Option<u16>, frames: Option<u16>) -> Vec<String> {
-        let mut animation = FileAnimation::single_orbit();
-        animation.looping = looping;
-        let schedule = Schedule::new(&animation, fps, frames);
+        let schedule = Schedule::new(Real::from(4), looping, fps, frames);
         schedule.map_or_else(
             |error| vec![error.to_string()],
             |schedule| schedule.times.iter().map(Real::to_string).collect(),
@@ -119,7 +114,7 @@ mod tests {
 
     #[test]
     fn rounding_of_delays_does_not_add_up() -> Outcome {
-        let schedule = Schedule::new(&FileAnimation::single_orbit(), Some(30), None)?;
+        let schedule = Schedule::new(Real::from(4), true, Some(30), None)?;
         let delays = schedule.delays(100);
         assert_eq!(delays[..4], [3, 4, 3, 3]);
         assert_eq!(delays.iter().sum::<u64>(), 400);

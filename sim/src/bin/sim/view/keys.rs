@@ -16,6 +16,7 @@ pub(super) enum Key {
     Antialiasing,
     Order,
     Chip,
+    Pause,
     Save,
     Reset,
     Help,
@@ -23,7 +24,7 @@ pub(super) enum Key {
 }
 
 /// SDL's names of keys, and the actions of the keys.
-const NAMES: [(&str, Key); 24] = [
+const NAMES: [(&str, Key); 25] = [
     ("Left", Key::Left),
     ("Right", Key::Right),
     ("Up", Key::Up),
@@ -44,6 +45,7 @@ const NAMES: [(&str, Key); 24] = [
     ("A", Key::Antialiasing),
     ("O", Key::Order),
     ("C", Key::Chip),
+    ("Space", Key::Pause),
     ("S", Key::Save),
     ("R", Key::Reset),
     ("H", Key::Help),
@@ -58,7 +60,7 @@ pub(super) const HELP: [&str; 6] = [
     "r       reset the camera      d       next display          a  antialiasing: off, 4, 16 rays",
     "s       save the picture      f       next format           o  order: progressive, line by line",
     "h       help on, off          c       chip of the estimate  q, Esc  quit",
-    "The scene is reloaded when its file is saved.",
+    "Space pauses an animation. The scene is reloaded when its file is saved.",
 ];
 
 impl Key {

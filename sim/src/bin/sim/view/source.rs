@@ -1,15 +1,13 @@
 use std::path::{Path, PathBuf};
 
-use whitted_sim::scene_file::Buffer;
-
 use crate::open::{self, Scene};
 use crate::outcome::Outcome;
 
 /// A scene file that is reloaded when the file changes.
 pub(super) struct Source {
     pub(super) path: PathBuf,
-    /// Last version of the file that was a valid scene.
-    scene: Option<Scene>,
+    /// Compiled form of the last version of the file that was a valid scene.
+    compiled: Option<Vec<u8>>,
     /// Error in the current version of the file, if any.
     error: Option<String>,
 }
@@ -19,29 +17,27 @@ impl Source {
     pub(super) fn find(path: &Path) -> Outcome<Self> {
         Ok(Self {
             path: open::find(path)?,
-            scene: None,
+            compiled: None,
             error: None,
         })
     }
 
     /// Reads the scene file again. If the file has an error, the last valid scene stays.
-    pub(super) fn read(&mut self, buffer: &mut Buffer) {
-        let scene = Scene::read(&self.path).and_then(|scene| {
-            scene.prepare(buffer)?;
-            Ok(scene)
-        });
-        match scene {
-            Ok(scene) => {
-                self.scene = Some(scene);
+    pub(super) fn read(&mut self) {
+        let compiled = Scene::read(&self.path).and_then(|scene| scene.compile());
+        match compiled {
+            Ok(compiled) => {
+                self.compiled = Some(compiled);
                 self.error = None;
             }
             Err(error) => self.error = Some(self.shortened(&error.to_string())),
         }
     }
 
-    /// Returns the last valid scene, or `None` if the file has had an error every time.
-    pub(super) fn scene(&self) -> Option<&Scene> {
-        self.scene.as_ref()
+    /// Returns the last valid scene as a compiled scene, or `None` if the file has had an error
+    /// every time.
+    pub(super) fn compiled(&self) -> Option<&[u8]> {
+        self.compiled.as_deref()
     }
 
     /// Returns the error in the current version of the file.

@@ -1,9 +1,4 @@
-use whitted::{Camera, PreparedScene, Real, real};
-use whitted_sim::scene_file::Buffer;
-
-use crate::args::Quality;
-use crate::open::Scene;
-use crate::outcome::Outcome;
+use whitted::{Camera, PreparedScene, Real, SceneError, real};
 
 /// Camera movement relative to the scene's camera.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -20,18 +15,12 @@ impl Viewpoint {
     /// Angle by which one key press moves the camera, in degrees.
     pub(super) const STEP: i32 = 5;
 
-    /// Prepares the scene with the moved camera.
-    pub(super) fn prepare<'b>(
-        self,
-        scene: &'b Scene,
-        quality: &Quality,
-        buffer: &'b mut Buffer,
-    ) -> Outcome<PreparedScene<'b>> {
-        let mut prepared = scene.prepare_for(quality, buffer)?;
+    /// Moves the camera of a scene.
+    pub(super) fn apply(self, scene: &mut PreparedScene<'_>) -> Result<(), SceneError> {
         if self != Self::default() {
-            prepared.set_camera(&self.moved(prepared.camera()))?;
+            scene.set_camera(&self.moved(scene.camera()))?;
         }
-        Ok(prepared)
+        Ok(())
     }
 
     fn moved(self, camera: Camera) -> Camera {

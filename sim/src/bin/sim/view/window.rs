@@ -27,6 +27,7 @@ pub(crate) fn view(options: &View) -> Outcome {
     let mut watch = Watch::new(workbench.files())?;
     let mut window = Window::new(options.quality.size);
     let mut changed = true;
+    let mut last = Instant::now();
     loop {
         if changed {
             window.draw(&mut workbench);
@@ -45,6 +46,8 @@ pub(crate) fn view(options: &View) -> Outcome {
             changed = true;
         }
         let start = Instant::now();
+        workbench.advance(start - last);
+        last = start;
         while start.elapsed() < UPDATE_INTERVAL && workbench.draw_step() {
             changed = true;
         }

@@ -1,10 +1,12 @@
 use std::path::Path;
+use std::time::Duration;
 
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics_simulator::SimulatorDisplay;
 use whitted::{Camera, PreparedScene};
 use whitted_sim::scene_file::Buffer;
 
+use super::clock::Clock;
 use super::cycle::Cycle;
 use super::frame::Frame;
 use super::keys::Key;
@@ -12,7 +14,7 @@ use super::options::Options;
 use super::source::Source;
 use super::status::{Notice, Status};
 use super::viewpoint::Viewpoint;
-use crate::args::{Quality, View};
+use crate::args::{Order, Quality, View};
 use crate::display::Display;
 use crate::format::Format;
 use crate::open;
@@ -25,8 +27,9 @@ pub(super) struct Workbench {
     options: Options,
     viewpoint: Viewpoint,
     quality: Quality,
-    /// Buffer for the prepared scene. The scene is prepared again for each drawing step.
+    /// Buffer for the prepared scene. The scene is decoded again for each drawing step.
     buffer: Box<Buffer>,
+    clock: Clock,
     frame: Frame,
     message: String,
     shows_help: bool,
@@ -48,6 +51,7 @@ impl Workbench {
             viewpoint: Viewpoint::default(),
             quality,
             buffer: Box::new(Buffer::new()),
+            clock: Clock::default(),
             message: GREETING.to_owned(),
             shows_help: false,
         };
@@ -107,6 +111,7 @@ impl Workbench {
                 self.restart();
             }
             Key::Chip => self.options.boards.next(),
+            Key::Pause => self.clock.pause(),
             Key::Save => self.save(),
             Key::Help | Key::Quit => {}
         }
@@ -114,7 +119,7 @@ impl Workbench {
 
     /// Reloads the scene from its file.
     pub(super) fn reload(&mut self) {
-        self.sources.current_mut().read(&mut self.buffer);
+        self.sources.current_mut().read();
         self.restart();
     }
 
@@ -122,6 +127,26 @@ impl Workbench {
     pub(super) fn draw_step(&mut self) -> bool {
         let output = self.options.output();
         !self.frame.is_complete() && self.with_scene(|frame, scene| frame.step(scene, output))
+    }
+
+    /// Advances the time of an animation. If the current frame is complete, starts the next one.
+    pub(super) fn advance(&mut self, passed: Duration) {
+        self.clock.advance(passed);
+        if self.frame.is_complete() && self.is_playing() && self.clock.next_frame() {
+            self.restart();
+        }
+    }
+
+    /// Returns true if the scene has an animation that is not over.
+    fn is_playing(&mut self) -> bool {
+        let Some(compiled) = self.sources.current().compiled() else {
+            return false;
+        };
+        let animation = self.buffer.decode_animation(compiled);
+        animation.is_ok_and(|animation| {
+            let is_over = self.clock.frame() >= animation.duration();
+            animation.is_animated() && (animation.is_looping() || !is_over)
+        })
     }
 
     /// Returns the content of the status text.
@@ -167,6 +192,7 @@ impl Workbench {
     fn switch_scene(&mut self, select: impl FnOnce(&mut Cycle<Source>)) {
         select(&mut self.sources);
         self.viewpoint = Viewpoint::default();
+        self.clock = Clock::default();
         self.clear();
         self.reload();
     }
@@ -177,27 +203,36 @@ impl Workbench {
         self.restart();
     }
 
-    /// Starts to draw the picture again. The old pixels stay until new pixels replace them.
+    /// Starts to draw the picture again. The old pixels stay until new pixels replace them. The
+    /// frames of an animation are drawn line by line, because coarse blocks would flicker.
     fn restart(&mut self) -> bool {
-        let order = *self.options.orders.current();
+        let order = match self.is_playing() {
+            true => Order::Scanlines,
+            false => *self.options.orders.current(),
+        };
         let edges = *self.options.edges.current();
         self.with_scene(|frame, scene| frame.restart(scene, order, edges))
     }
 
-    /// Prepares the scene, and calls a function with the frame and the scene. Returns false if the
-    /// scene cannot be prepared, or if its file was never valid.
+    /// Prepares the frame of the scene, and calls a function with the picture and this frame.
+    /// Returns false if the frame cannot be prepared, or if the scene's file was never valid.
     fn with_scene(&mut self, call: impl FnOnce(&mut Frame, &PreparedScene<'_>)) -> bool {
-        let Some(scene) = self.sources.current().scene() else {
+        let Some(compiled) = self.sources.current().compiled() else {
             return false;
         };
-        let prepared = self
-            .viewpoint
-            .prepare(scene, &self.quality, &mut self.buffer);
-        match &prepared {
-            Ok(prepared) => call(&mut self.frame, prepared),
-            Err(error) => self.message = error.to_string(),
+        let draw = || -> Outcome {
+            let mut animation = self.buffer.decode_animation(compiled)?;
+            let mut scene = animation.frame(self.clock.frame())?;
+            open::apply_overrides(&mut scene, &self.quality)?;
+            self.viewpoint.apply(&mut scene)?;
+            call(&mut self.frame, &scene);
+            Ok(())
+        };
+        let drawn = draw();
+        if let Err(error) = &drawn {
+            self.message = error.to_string();
         }
-        prepared.is_ok()
+        drawn.is_ok()
     }
 
     /// Saves the picture in the current directory, in the colors and shape of the display.

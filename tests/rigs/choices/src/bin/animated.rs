@@ -5,9 +5,9 @@
 
 use core::hint::black_box;
 
-use choices::{SCENE, number, prepare_and_draw};
+use choices::{Buffer, SCENE, draw, number};
 use cortex_m_rt::entry;
-use whitted::animation::{AnimatedScene, Animation};
+use whitted::animation::Animation;
 use whitted::real;
 
 static ANIMATION: Animation = Animation {
@@ -18,9 +18,12 @@ static ANIMATION: Animation = Animation {
 
 #[entry]
 fn main() -> ! {
-    let mut animated = AnimatedScene::<8, 2>::new();
-    if let Ok(scene) = animated.frame(black_box(&SCENE), black_box(&ANIMATION), number()) {
-        prepare_and_draw(&scene);
+    let mut buffer = Buffer::new();
+    let animation = buffer.prepare_animation(black_box(&SCENE), black_box(&ANIMATION));
+    if let Ok(mut animation) = animation
+        && let Ok(scene) = animation.frame(number())
+    {
+        draw(&scene);
     }
     loop {}
 }

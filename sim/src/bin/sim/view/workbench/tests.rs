@@ -8,6 +8,7 @@ use crate::args::{DisplayOptions, Passes};
 use crate::draw::{Settings, draw_frame};
 use crate::open::Scene;
 use crate::progress::Progress;
+use whitted::real;
 
 const SCENE: &str = include_str!("../../../../../../scenes/whitted.toml");
 
@@ -62,13 +63,17 @@ fn drawn(workbench: &mut Workbench) -> Vec<Rgb888> {
 fn rendered(path: &Path, display: &str) -> Outcome<Vec<Rgb888>> {
     let scene = Scene::open(path)?;
     let mut buffer = Box::new(Buffer::new());
-    let prepared = scene.prepare(&mut buffer)?;
+    pixels(&scene.prepare(&mut buffer)?, display)
+}
+
+/// Draws a prepared scene and returns its pixels.
+fn pixels(scene: &PreparedScene<'_>, display: &str) -> Outcome<Vec<Rgb888>> {
     let settings = Settings {
         display: Display::named(display)?,
         output: DisplayOptions::default().output(),
         passes: Passes::default(),
     };
-    let (picture, _) = draw_frame(&prepared, &settings, &mut Progress::new(0_u32))?;
+    let (picture, _) = draw_frame(scene, &settings, &mut Progress::new(0_u32))?;
     let points = picture.bounding_box().points();
     Ok(points.map(|point| picture.get_pixel(point)).collect())
 }
@@ -242,5 +247,31 @@ fn antialiases_after_the_first_drawing() -> Outcome {
         workbench.press(Key::Antialiasing);
     }
     assert!(drawn(&mut workbench) == aliased);
+    Ok(())
+}
+
+#[test]
+fn plays_compiled_animations_and_scene_files() -> Outcome {
+    let here = Directory::new("plays")?;
+    let text = include_str!("../../../../../../tests/scenes/bouncing_ball.toml");
+    let file = here.write("ball.toml", text)?;
+    let compiled = here.0.join("ball.scene");
+    let bytes = Scene::open(&file)?.compile()?;
+    fs::write(&compiled, &bytes)?;
+    let mut buffer = Box::new(Buffer::new());
+    let mut animation = buffer.decode_animation(&bytes)?;
+    for path in [file, compiled] {
+        let mut workbench = workbench(&[path], "ssd0323")?;
+        for milliseconds in [0, 250, 875] {
+            workbench.advance(Duration::from_millis(milliseconds));
+            let frame = animation.frame(workbench.clock.frame())?;
+            let expected = pixels(&frame, "ssd0323")?;
+            assert!(drawn(&mut workbench) == expected, "after {milliseconds} ms");
+        }
+        assert_eq!(workbench.clock.frame(), real!(1.125));
+        workbench.press(Key::Pause);
+        workbench.advance(Duration::from_secs(1));
+        assert_eq!(workbench.clock.frame(), real!(1.125));
+    }
     Ok(())
 }
