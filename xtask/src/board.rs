@@ -39,14 +39,15 @@ pub const STM32F405_IN_QEMU: Board = Board {
 /// rp2040js.
 pub const PICO: Board = board("pico", V6M, 121_000);
 
-/// Lists all boards, with the features for real hardware. For the last three boards, the firmware
+/// Lists all boards, with the features for real hardware. For the last four boards, the firmware
 /// does not run in any emulator.
-const ALL: [Board; 5] = [
+const ALL: [Board; 6] = [
     STM32F405,
     PICO,
     board("rp2350", V8M, 80_000),
     board("nrf52840", V7EM, 85_000),
     board("esp32c3", RISCV, 140_000),
+    board("template", V7EM, 84_000),
 ];
 
 const fn board(name: &'static str, target: &'static str, flash: u64) -> Board {
