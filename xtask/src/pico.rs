@@ -5,6 +5,7 @@ mod emulator;
 mod firmware;
 mod panel;
 mod port;
+mod slow_scenes;
 mod transfers;
 
 use std::fs::File;
@@ -15,6 +16,7 @@ use display_stream::Picture;
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 
 use crate::budget::Budget;
+use emulator::Drawn;
 
 const BUDGET: Budget = Budget {
     file: "boards/pico/budget.json",
@@ -26,7 +28,7 @@ const BUDGET: Budget = Budget {
 pub fn draw(scene: &Path, screenshot: Option<&Path>) -> Result<()> {
     let elf = firmware::build(&[scene])?;
     let drawn = emulator::run(&elf, &[])?;
-    let (picture, _) = drawn.first().context("the firmware drew no picture")?;
+    let Drawn { picture, .. } = drawn.first().context("the firmware drew no picture")?;
     panel::compare(picture, &panel::draw_on_host(scene)?)?;
     firmware::print_size(&elf)?;
     match screenshot {
@@ -35,11 +37,18 @@ pub fn draw(scene: &Path, screenshot: Option<&Path>) -> Result<()> {
     }
 }
 
-/// Tests whether the firmware draws correctly and handles buttons and USB transfers. Compares the
-/// cycles of the pictures with the budget.
+/// Tests whether the firmware draws correctly and handles buttons and USB transfers, even while it
+/// draws slow scenes. Compares the cycles of the pictures with the budget.
 pub fn check() -> Result<()> {
     firmware::lint()?;
-    BUDGET.check(&button_test::run()?)
+    BUDGET.check(&button_test::run()?)?;
+    slow_scenes::run(0.6)
+}
+
+/// Draws slow scenes for 20 seconds of the chip's time, and checks that the firmware feeds its
+/// watchdog and handles buttons and USB transfers in time.
+pub(crate) fn prove_slow_scenes() -> Result<()> {
+    slow_scenes::run(20.0)
 }
 
 /// Stores the counted cycles as the budget.

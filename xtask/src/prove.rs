@@ -15,10 +15,10 @@ use crate::core::Core;
 use crate::qemu::{Arithmetic, Machine};
 use crate::soak::soak;
 use crate::steps::{self, Step};
-use crate::{panics, root};
+use crate::{panics, pico, root};
 
 /// Names of the checks and the functions that run them.
-const CHECKS: [Step; 13] = [
+const CHECKS: [Step; 14] = [
     ("panics", panics),
     ("damage", || {
         library_test(&["--test", "all", "compiled"], None)
@@ -32,6 +32,7 @@ const CHECKS: [Step; 13] = [
     ("miri", miri::check),
     ("bounds", bounds),
     ("soak", soak_cores),
+    ("slow-scenes", pico::prove_slow_scenes),
     ("fuzz", fuzz::check),
     ("interrupts", interrupts::check),
     ("supply", supply::check),

@@ -3,14 +3,16 @@
 //   node run.js FIRMWARE.elf STREAM [EVENT...]
 //
 // The firmware draws a picture, and another picture after each event. `press:PIN` presses
-// a button when the picture is complete. `amid:PIN` presses a button while the picture is
-// drawn. `usb` waits for a scene over USB. Standard input is then a terminal in raw mode
-// that carries the serial data of the USB host.
+// a button when the picture is complete. `amid:PIN:CYCLES` presses a button so many cycles
+// after the start of the picture. `usb` waits for a scene over USB, which may arrive while the
+// picture is drawn. Standard input is then a terminal in raw mode that carries the serial data
+// of the USB host. `stop`, the last event, ends the run at the start of a picture.
 //
 // STREAM receives two bytes for each byte on the SPI: the level of D/C, then the byte. The
 // bytes 2 and 0 follow each picture, complete or aborted. Standard output receives a line
-// for each picture: the cycles while the LED is on, and the number of SPI bytes. The cycles
-// exclude flash cache misses and SPI wait times.
+// for each picture: the cycles while the LED is on, the number of SPI bytes, the cycles from
+// the last input to the start of the picture, and the longest time, in cycles, for which the
+// watchdog was not fed. The cycles exclude flash cache misses and SPI wait times.
 
 import { readFileSync, readSync, writeFileSync, writeSync } from 'node:fs';
 import { ConsoleLogger, GPIOPinState, LogLevel, RP2040, USBCDC } from 'rp2040js';
@@ -28,10 +30,12 @@ const STACK = 0x2004_1f00;
 const NANOSECONDS_PER_CYCLE = 8;
 // Number of instructions between updates of the timers.
 const STRIDE = 32;
-// Cycles from the start of a picture to an `amid` press, and from the end of a picture to a
-// `press`. The firmware polls its buttons every 10 ms (1.25 million cycles).
-const AMID = 20e6;
+// Cycles from the end of a picture to a `press`. The firmware polls its buttons every 10 ms
+// (1.25 million cycles).
 const AFTER = 3e6;
+// Address of the watchdog, and the offset of the register that feeds it.
+const WATCHDOG = 0x40058;
+const WATCHDOG_LOAD = 4;
 // File descriptor of the USB serial data, and its polling interval in strides.
 const SERIAL = 0;
 const POLL_INTERVAL = 4000;
@@ -68,7 +72,18 @@ for (const [number, spi] of mcu.spi.entries()) {
     spi.completeTransmit(0);
   };
 }
-mcu.peripherals[0x40058].onWatchdogTrigger = () => {
+// Cycle of the last feed, and the longest time between two feeds since the last report.
+const feeds = { last: 0, longest: 0 };
+const watchdog = mcu.peripherals[WATCHDOG];
+const { writeUint32 } = watchdog;
+watchdog.writeUint32 = function (offset, value) {
+  if (offset === WATCHDOG_LOAD) {
+    feeds.longest = Math.max(feeds.longest, mcu.core.cycles - feeds.last);
+    feeds.last = mcu.core.cycles;
+  }
+  writeUint32.call(this, offset, value);
+};
+watchdog.onWatchdogTrigger = () => {
   throw new Error(`watchdog reset at ${hex(mcu.core.PC)}`);
 };
 // Buttons connect to ground: a high level means released.
@@ -79,41 +94,64 @@ const ACTIONS = {
   press(pin) {
     end();
     wait(AFTER);
-    pin.setInputValue(false);
+    push(pin);
   },
-  amid(pin) {
-    wait(AMID);
-    pin.setInputValue(false);
+  amid(pin, cycles) {
+    wait(Number(cycles));
+    push(pin);
     end();
   },
   usb: () => end(),
 };
 
+const isStopped = events.at(-1) === 'stop';
+if (isStopped) {
+  events.pop();
+}
 const exchange = connect(events.includes('usb'));
 let start;
+// Cycle of the last input of the user.
+let lastInput = 0;
 begin();
 for (const event of events) {
-  const [name, number] = event.split(':');
+  const [name, number, cycles] = event.split(':');
   const pin = mcu.gpio[number];
-  ACTIONS[name](pin);
+  ACTIONS[name](pin, cycles);
   begin();
   pin?.setInputValue(true);
 }
-end();
+if (isStopped) {
+  report();
+} else {
+  end();
+}
 writeFileSync(streamFile, Buffer.from(stream));
 
 // Runs until the LED turns on: a picture begins.
 function begin() {
   runUntil(() => isHigh(LED));
-  start = { cycles: mcu.core.cycles, bytes: stream.length / 2 };
+  const { cycles } = mcu.core;
+  start = { cycles, bytes: stream.length / 2, response: cycles - lastInput };
 }
 
 // Runs until the LED turns off: the picture is complete or aborted.
 function end() {
   runUntil(() => !isHigh(LED));
+  report();
+}
+
+function report() {
   const bytes = stream.length / 2 - start.bytes;
-  console.log(`cycles: ${mcu.core.cycles - start.cycles}, bytes: ${bytes}`);
+  const cycles = mcu.core.cycles - start.cycles;
+  const times = `response: ${start.response}, unfed: ${feeds.longest}`;
+  console.log(`cycles: ${cycles}, bytes: ${bytes}, ${times}`);
+  feeds.longest = 0;
   stream.push(2, 0);
+}
+
+function push(pin) {
+  pin.setInputValue(false);
+  lastInput = mcu.core.cycles;
 }
 
 function wait(cycles) {
@@ -144,6 +182,7 @@ function connect(isEnabled) {
       const { endpoint, size } = pending;
       pending = undefined;
       completeRead(endpoint, size);
+      lastInput = mcu.core.cycles;
     }
   };
 }

@@ -1,5 +1,4 @@
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
-use embedded_hal::delay::DelayNs;
 use embedded_hal::digital::OutputPin;
 use embedded_hal_bus::spi::{ExclusiveDevice, NoDelay};
 use mipidsi::Builder;
@@ -8,13 +7,14 @@ use mipidsi::models::ST7789;
 use rp2040_hal::clocks::init_clocks_and_plls;
 use rp2040_hal::fugit::{ExtU32, RateExtU32};
 use rp2040_hal::gpio::{
-    DynPinId, FunctionSioInput, FunctionSioOutput, Pin, PinState, PullDown, PullUp,
+    self, DynPinId, FunctionSioInput, FunctionSioOutput, PinState, PullDown, PullUp,
 };
 use rp2040_hal::spi::Enabled;
 use rp2040_hal::usb::UsbBus;
 use rp2040_hal::{Clock, Sio, Spi, Timer, Watchdog, pac};
 
 use crate::buttons::{Button, Buttons};
+use crate::input::Input;
 use crate::pins::{self, LcdClock, LcdData, LcdSpi, Pins};
 use crate::scenes::Buffer;
 use crate::usb::{self, SceneReceiver};
@@ -27,11 +27,13 @@ static BOOT2: [u8; 256] = rp2040_boot2::BOOT_LOADER_W25Q080;
 /// Frequency of the crystal. The core runs at 125 MHz.
 const CRYSTAL_HZ: u32 = 12_000_000;
 
+/// Input pin of a button.
+pub(crate) type Pin = gpio::Pin<DynPinId, FunctionSioInput, PullUp>;
+
 /// Transfer buffer of the display driver. It holds one line of 16-bit pixels.
 pub(crate) type LineBuffer = [u8; 2 * pins::LCD_SIZE.0 as usize];
 
-type Output = Pin<DynPinId, FunctionSioOutput, PullDown>;
-type Input = Pin<DynPinId, FunctionSioInput, PullUp>;
+type Output = gpio::Pin<DynPinId, FunctionSioOutput, PullDown>;
 type Bus = Spi<Enabled, LcdSpi, (LcdData, LcdClock)>;
 type Interface = SpiInterface<'static, ExclusiveDevice<Bus, Output, NoDelay>, Output>;
 
@@ -39,28 +41,12 @@ type Interface = SpiInterface<'static, ExclusiveDevice<Bus, Output, NoDelay>, Ou
 /// fail.
 pub(crate) type Display = mipidsi::Display<Interface, ST7789, Output>;
 
-/// User input.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Event {
-    /// A button was pressed.
-    Press(Button),
-    /// A valid scene arrived over USB.
-    Received,
-}
-
 /// Peripherals of the board that the firmware uses.
 pub(crate) struct Board {
     pub(crate) display: Display,
-    /// Watchdog timer. It resets the board if the firmware does not feed it for two
-    /// seconds.
-    watchdog: Watchdog,
     /// LED that is on while a picture is drawn.
     pub(crate) led: Output,
-    buttons: Buttons<Input>,
-    timer: Timer,
-    /// Memory that the firmware needs to validate a received scene while it draws another
-    /// scene.
-    validation_buffer: &'static mut Buffer,
+    pub(crate) input: Input,
 }
 
 impl Board {
@@ -94,6 +80,7 @@ impl Board {
             &mut pac.RESETS,
         );
         watchdog.pause_on_debug(true);
+        // The watchdog resets the board if the firmware does not feed it for two seconds.
         watchdog.start(2.secs());
 
         let (registers, memory) = (pac.USBCTRL_REGS, pac.USBCTRL_DPRAM);
@@ -124,47 +111,20 @@ impl Board {
         let Ok(()) = display.clear(Rgb565::BLACK);
         let Ok(()) = pins.lcd_backlight.into_push_pull_output().set_high();
 
+        let buttons = Buttons::new([
+            (Button::Left, pins.left.into_pull_up_input().into_dyn_pin()),
+            (
+                Button::Right,
+                pins.right.into_pull_up_input().into_dyn_pin(),
+            ),
+            (Button::Up, pins.up.into_pull_up_input().into_dyn_pin()),
+            (Button::Down, pins.down.into_pull_up_input().into_dyn_pin()),
+            (Button::Next, pins.next.into_pull_up_input().into_dyn_pin()),
+        ]);
         Self {
             display,
-            watchdog,
             led: pins.led.into_push_pull_output().into_dyn_pin(),
-            buttons: Buttons::new([
-                (Button::Left, pins.left.into_pull_up_input().into_dyn_pin()),
-                (
-                    Button::Right,
-                    pins.right.into_pull_up_input().into_dyn_pin(),
-                ),
-                (Button::Up, pins.up.into_pull_up_input().into_dyn_pin()),
-                (Button::Down, pins.down.into_pull_up_input().into_dyn_pin()),
-                (Button::Next, pins.next.into_pull_up_input().into_dyn_pin()),
-            ]),
-            timer,
-            validation_buffer,
-        }
-    }
-
-    /// Feeds the watchdog and returns the user input since the last call.
-    ///
-    /// After [`Event::Received`], the caller must store the scene with
-    /// [`Scenes::store_received`](crate::scenes::Scenes::store_received).
-    pub(crate) fn poll(&mut self) -> Option<Event> {
-        self.watchdog.feed();
-        if let Some(button) = self.buttons.poll() {
-            return Some(Event::Press(button));
-        }
-        let is_received = usb::receive(|scene| self.validation_buffer.decode(scene).map(drop));
-        is_received.then_some(Event::Received)
-    }
-
-    /// Waits for user input and returns it.
-    ///
-    /// The function polls the buttons every 10 ms. A button bounces for less than 10 ms.
-    pub(crate) fn wait(&mut self) -> Event {
-        loop {
-            self.timer.delay_ms(10);
-            if let Some(event) = self.poll() {
-                return event;
-            }
+            input: Input::new(watchdog, buttons, timer, validation_buffer),
         }
     }
 }

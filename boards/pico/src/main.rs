@@ -9,6 +9,7 @@
 
 mod board;
 mod buttons;
+mod input;
 mod pins;
 mod scenes;
 mod usb;
@@ -16,20 +17,28 @@ mod usb;
 // These crates provide the logger and the panic handler.
 use {defmt_rtt as _, panic_probe as _};
 
+use core::ops::ControlFlow;
+
 use defmt::Display2Format;
 use embedded_graphics::{mono_font::ascii::FONT_10X20, prelude::*};
 use embedded_hal::digital::OutputPin;
 use rp2040_hal::entry;
+use whitted::observer::Poller;
 use whitted::render::{RenderProgress, Step};
 use whitted::{DecodeError, PreparedScene, Real, Renderer, real};
 
-use board::{Board, Event, LineBuffer};
+use board::{Board, LineBuffer};
 use buttons::Button;
+use input::Event;
 use scenes::{Buffer, Scenes};
 use usb::SceneReceiver;
 
 /// Orbit angle per joystick press, in degrees.
 const ORBIT_STEP: Real = real!(15);
+
+/// Number of rays and intersection tests after which the firmware polls for input again and feeds
+/// the watchdog.
+const POLL_INTERVAL: u32 = 200;
 
 #[entry]
 fn main() -> ! {
@@ -62,7 +71,7 @@ fn main() -> ! {
 /// Shows a scene and lets the user move the camera. Returns when another scene is selected.
 fn show_scene(scene: &mut PreparedScene<'_>, board: &mut Board) -> Event {
     loop {
-        let event = draw(scene, board).unwrap_or_else(|| board.wait());
+        let event = draw(scene, board).unwrap_or_else(|| board.input.wait());
         let (yaw, pitch) = match event {
             Event::Press(Button::Left) => (-ORBIT_STEP, Real::ZERO),
             Event::Press(Button::Right) => (ORBIT_STEP, Real::ZERO),
@@ -76,18 +85,29 @@ fn show_scene(scene: &mut PreparedScene<'_>, board: &mut Board) -> Event {
     }
 }
 
-/// Draws a picture in progressive order. On user input, this function stops drawing and
-/// returns the input event.
+/// Draws a picture in progressive order. On user input, even inside a pixel, this function
+/// stops drawing and returns the input event.
 fn draw(scene: &PreparedScene<'_>, board: &mut Board) -> Option<Event> {
-    let mut renderer = Renderer::new(scene, board.display.size());
-    let mut progress = RenderProgress::progressive(board.display.bounding_box());
+    let Board {
+        display,
+        led,
+        input,
+    } = board;
     let mut event = None;
-    let Ok(()) = board.led.set_high();
-    while !progress.is_complete() && event.is_none() {
-        let Ok(()) = renderer.step(&mut progress, Step::Line, &mut board.display);
-        event = board.poll();
+    let poller = Poller::new(POLL_INTERVAL, || {
+        event = input.poll();
+        match event {
+            Some(_) => ControlFlow::Break(()),
+            None => ControlFlow::Continue(()),
+        }
+    });
+    let mut renderer = Renderer::with_observer(scene, display.size(), poller);
+    let mut progress = RenderProgress::progressive(display.bounding_box());
+    let Ok(()) = led.set_high();
+    while !progress.is_complete() && !renderer.observer().is_interrupted() {
+        let Ok(()) = renderer.step(&mut progress, Step::Pass, display);
     }
-    let Ok(()) = board.led.set_low();
+    let Ok(()) = led.set_low();
     event
 }
 
@@ -100,7 +120,7 @@ fn show_error(error: DecodeError, board: &mut Board) -> Event {
     _ = message_page::write(&mut board.display, &FONT_10X20, text);
     let Ok(()) = board.led.set_low();
     loop {
-        let event = board.wait();
+        let event = board.input.wait();
         if matches!(event, Event::Press(Button::Next) | Event::Received) {
             return event;
         }

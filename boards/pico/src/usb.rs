@@ -1,8 +1,8 @@
 //! Receives scenes over USB. The host sees the board as a serial port (CDC ACM).
 //!
 //! The firmware may take longer to trace a line than the USB timeouts of the host allow. An
-//! interrupt handler therefore serves the USB connection. The main loop processes received
-//! scenes between lines.
+//! interrupt handler therefore serves the USB connection. While a picture is drawn, the
+//! firmware processes received scenes every few milliseconds, see [`Input`](crate::input::Input).
 
 use core::cell::RefCell;
 use core::fmt::{self, Write};

@@ -5,14 +5,16 @@ use std::fs;
 use anyhow::{Context, Result, ensure};
 use whitted_sim::scene_file;
 
-use super::emulator::{self, Button, Event};
+use super::emulator::{self, Button, Drawn, Event};
 use super::port::Port;
 use super::{firmware, panel, transfers};
 use crate::budget::Counts;
 use crate::{host, scene, scratch_dir};
 
-/// Largest allowed number of cycles of an interrupted picture. The emulator presses the button
-/// after 20 million cycles, and the firmware must then stop drawing.
+/// Number of cycles after which the emulator interrupts a picture by pressing a button.
+const PRESS: u64 = 20_000_000;
+
+/// Largest allowed number of cycles of an interrupted picture.
 const INTERRUPTED: u64 = 30_000_000;
 
 /// Runs the test and compares all complete pictures with the host's pictures. Returns the number of
@@ -35,12 +37,12 @@ pub(super) fn run() -> Result<Counts> {
     let events = [
         Event::AfterPicture(Button::Next),
         Event::AfterPicture(Button::Next),
-        Event::DuringPicture(Button::Right),
+        Event::DuringPicture(Button::Right, PRESS),
         Event::Usb(&transfer),
-        Event::DuringPicture(Button::Next),
-        Event::DuringPicture(Button::Next),
+        Event::DuringPicture(Button::Next, PRESS),
+        Event::DuringPicture(Button::Next, PRESS),
         Event::AfterPicture(Button::Next),
-        Event::DuringPicture(Button::Next),
+        Event::DuringPicture(Button::Next, PRESS),
     ];
     let error = host::decode_error(&bytes)?;
     let error = || panel::message(&format!("This scene cannot be drawn: {error}."));
@@ -65,7 +67,10 @@ pub(super) fn run() -> Result<Counts> {
     let drawn = emulator::run(&elf, &events)?;
     ensure!(drawn.len() == expected.len(), "{} pictures", drawn.len());
     let mut counts = Counts::new();
-    for ((picture, cycles), (name, expected, has_budget)) in drawn.into_iter().zip(expected) {
+    for (drawn, (name, expected, has_budget)) in drawn.into_iter().zip(expected) {
+        let Drawn { picture, times } = drawn;
+        let cycles = times.picture;
+        times.check().context(name)?;
         match expected {
             Some(expected) => panel::compare(&picture, &expected).context(name)?,
             None => ensure!(cycles <= INTERRUPTED, "{name} took {cycles} cycles"),

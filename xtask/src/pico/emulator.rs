@@ -32,15 +32,64 @@ pub(super) enum Button {
 pub(super) enum Event<'e> {
     /// A press of a button after a picture is complete.
     AfterPicture(Button),
-    /// A press of a button while a picture is drawn.
-    DuringPicture(Button),
+    /// A press of a button while a picture is drawn, so many cycles after its start.
+    DuringPicture(Button, u64),
     /// A transfer over USB after a picture is complete.
-    Usb(&'e dyn Fn(&Port) -> Result<()>),
+    Usb(Transfer<'e>),
+    /// A transfer over USB while a picture is drawn.
+    UsbDuringPicture(Transfer<'e>),
+    /// The end of the run, at the start of a picture. This event must be the last.
+    Stop,
+}
+
+/// A function that sends data to the board.
+type Transfer<'e> = &'e dyn Fn(&Port) -> Result<()>;
+
+/// A picture that the firmware drew, with measurements in cycles.
+pub(super) struct Drawn {
+    /// The display at the end of the picture. An event may have interrupted the picture.
+    pub(super) picture: Picture,
+    pub(super) times: Times,
+}
+
+/// Measurements of a picture, in cycles.
+#[derive(Clone, Copy)]
+pub(super) struct Times {
+    /// Duration of the picture.
+    pub(super) picture: u64,
+    /// Time from the event before this picture to the start of the picture.
+    pub(super) response: u64,
+    /// Longest time for which the watchdog was not fed.
+    pub(super) unfed: u64,
+}
+
+impl Times {
+    /// Longest allowed time from an event to its response: half a second at 125 MHz.
+    const MAX_RESPONSE: u64 = 62_500_000;
+    /// Longest allowed time for which the watchdog is not fed. The watchdog resets the board after
+    /// two seconds, or 250 million cycles.
+    const MAX_UNFED: u64 = 62_500_000;
+
+    /// Returns an error if the firmware responded or fed its watchdog too late.
+    pub(super) fn check(&self) -> Result<()> {
+        let Self {
+            response, unfed, ..
+        } = self;
+        ensure!(
+            *response <= Self::MAX_RESPONSE,
+            "the firmware responded {response} cycles after an event"
+        );
+        ensure!(
+            *unfed <= Self::MAX_UNFED,
+            "the firmware did not feed its watchdog for {unfed} cycles"
+        );
+        Ok(())
+    }
 }
 
 /// Runs firmware, which draws a first picture and another picture after each event. Returns all
-/// pictures, even interrupted ones, each with its number of cycles.
-pub(super) fn run(elf: &Path, events: &[Event<'_>]) -> Result<Vec<(Picture, u64)>> {
+/// pictures, even interrupted ones.
+pub(super) fn run(elf: &Path, events: &[Event<'_>]) -> Result<Vec<Drawn>> {
     install()?;
     let stream = scratch_dir()?.join("pico.stream");
     let mut node = command("node");
@@ -48,53 +97,72 @@ pub(super) fn run(elf: &Path, events: &[Event<'_>]) -> Result<Vec<(Picture, u64)
         .args([elf, &stream]);
     node.args(events.iter().map(|event| match event {
         Event::AfterPicture(button) => format!("press:{}", *button as u8),
-        Event::DuringPicture(button) => format!("amid:{}", *button as u8),
-        Event::Usb(_) => "usb".to_owned(),
+        Event::DuringPicture(button, cycles) => format!("amid:{}:{cycles}", *button as u8),
+        Event::Usb(_) | Event::UsbDuringPicture(_) => "usb".to_owned(),
+        Event::Stop => "stop".to_owned(),
     }));
     node.stdin(Stdio::null()).stdout(Stdio::piped());
-    let has_usb = events.iter().any(|event| matches!(event, Event::Usb(_)));
+    let is_usb = |event: &Event<'_>| matches!(event, Event::Usb(_) | Event::UsbDuringPicture(_));
+    let has_usb = events.iter().any(is_usb);
     let port = has_usb.then(Port::new).transpose()?;
     if let Some(port) = &port {
         node.stdin(port.device()?);
     }
     let mut node = node.spawn().context("cannot start node")?;
-    let cycles = watch(&mut node, events, port.as_ref());
-    if cycles.is_err() {
+    let times = watch(&mut node, events, port.as_ref());
+    if times.is_err() {
         node.kill()?;
     }
     let status = node.wait()?;
-    let cycles = cycles?;
+    let times = times?;
     ensure!(status.success(), "the emulator failed: {status}");
     let pictures = decode(&fs::read(stream)?)?;
-    Ok(pictures.into_iter().zip(cycles).collect())
+    let drawn = pictures.into_iter().zip(times);
+    Ok(drawn
+        .map(|(picture, times)| Drawn { picture, times })
+        .collect())
 }
 
-/// Reads the emulator's output and returns the number of cycles of each picture. Runs the USB
-/// transfers between pictures.
-fn watch(node: &mut Child, events: &[Event<'_>], port: Option<&Port>) -> Result<Vec<u64>> {
+/// Reads the emulator's output and returns the measurements of each picture. Runs the USB
+/// transfers.
+fn watch(node: &mut Child, events: &[Event<'_>], port: Option<&Port>) -> Result<Vec<Times>> {
     let output = node.stdout.take().context("node has no output")?;
     let mut lines = BufReader::new(output).lines();
-    let mut cycles = Vec::new();
+    let mut times = Vec::new();
     for event in events {
-        cycles.push(next_cycles(&mut lines)?);
+        if let (Event::UsbDuringPicture(transfer), Some(port)) = (event, port) {
+            transfer(port)?;
+        }
+        times.push(next_times(&mut lines)?);
         if let (Event::Usb(transfer), Some(port)) = (event, port) {
             transfer(port)?;
         }
     }
-    cycles.push(next_cycles(&mut lines)?);
-    Ok(cycles)
+    if !matches!(events.last(), Some(Event::Stop)) {
+        times.push(next_times(&mut lines)?);
+    }
+    Ok(times)
 }
 
-/// Prints the next line, such as "cycles: 1234, bytes: 567", and returns the cycles in it.
-fn next_cycles(lines: &mut Lines<impl BufRead>) -> Result<u64> {
+/// Prints the next line, such as "cycles: 1234, bytes: 567, response: 89, unfed: 10", and returns
+/// the cycles in it.
+fn next_times(lines: &mut Lines<impl BufRead>) -> Result<Times> {
     let line = lines
         .next()
         .context("the emulator ended before a picture")??;
     println!("{line}");
-    let cycles = line
-        .strip_prefix("cycles: ")
-        .and_then(|rest| rest.split(',').next());
-    Ok(cycles.context("the emulator printed no cycles")?.parse()?)
+    let number = |name: &str| {
+        let mut fields = line.split(", ").filter_map(|field| field.split_once(": "));
+        let (_, number) = fields
+            .find(|(key, _)| *key == name)
+            .with_context(|| format!("the emulator printed no {name}"))?;
+        anyhow::Ok(number.parse()?)
+    };
+    Ok(Times {
+        picture: number("cycles")?,
+        response: number("response")?,
+        unfed: number("unfed")?,
+    })
 }
 
 /// Decodes the pictures in the emulator's output file. The file consists of pairs of bytes: the
