@@ -20,7 +20,7 @@ use crate::prepare::{Light, Material, Object, PreparedScene, SceneSink, Settings
 use crate::scene::{SceneCounts, SceneItem};
 
 const MAGIC: [u8; 4] = *b"WHTD";
-const VERSION: u8 = 3;
+const VERSION: u8 = 4;
 const CHECKSUM: usize = size_of::<u32>();
 /// Byte in front of an animation.
 const ANIMATION: u8 = b'A';
@@ -70,7 +70,7 @@ impl SceneCounts {
     /// ```
     /// use whitted::scene::SceneCounts;
     ///
-    /// static SCENE: &[u8] = b"WHTD\x03\x05\0\x01\0\x03\0"; // include_bytes!("scene.bin")
+    /// static SCENE: &[u8] = b"WHTD\x04\x05\0\x01\0\x03\0"; // include_bytes!("scene.bin")
     /// const COUNTS: SceneCounts = SceneCounts::of_compiled(SCENE);
     /// let buffer = <whitted::scene_buffer!(COUNTS)>::new();
     /// # let _ = buffer;

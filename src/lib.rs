@@ -83,7 +83,9 @@
 //! | Smooth edges | [`render::Picture::antialiased`], [`render::AntialiasedRenderer`] |
 //! | Draw lines by DMA | [`Renderer::render_line`] |
 //! | Send only the changed parts of a frame | [`render::DirtyLines`] |
-//! | Choose dithering and sRGB | [`render::Output`] |
+//! | Write sRGB colors | [`Color::srgb`] |
+//! | Choose sRGB output | [`Scene::transfer`] |
+//! | Choose dithering | [`render::Output`] |
 //! | Draw a color type of one's own | [`render::DisplayColor`] |
 //!
 //! **Move it.**

@@ -25,6 +25,7 @@ mod rotation;
 mod scale;
 mod soft_float;
 mod square_root;
+mod srgb;
 mod tangent;
 mod unit_vector;
 mod vec3;

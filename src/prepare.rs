@@ -89,6 +89,7 @@ pub(crate) fn prepare_scaled(
         exposure,
         max_depth: scene.max_depth,
         min_weight: factor(scene.min_weight, 0),
+        transfer: Some(scene.transfer),
         is_opaque: false,
     })
 }

@@ -15,6 +15,7 @@ mod object;
 mod shape;
 mod shape_fields;
 mod texture;
+mod transfer;
 
 pub use builder::SceneBuilder;
 pub use camera::Camera;
@@ -26,6 +27,7 @@ pub use material::{Material, MaterialId, SpecularModel, ior};
 pub use object::Object;
 pub use shape::{ClipBox, Shape};
 pub use texture::{Axis, Texture};
+pub use transfer::Transfer;
 
 use crate::math::{Color, Real};
 
@@ -78,11 +80,14 @@ pub struct Scene<'a> {
     /// radiance that reaches the pixel. A ray is not traced if its weight is below this minimum
     /// in every channel.
     pub min_weight: Real,
+    /// Transfer function of renderers, unless a program sets another
+    /// [`Output`](crate::render::Output). Colors of the scene are linear in any case.
+    pub transfer: Transfer,
 }
 
 impl Scene<'_> {
     /// Returns an empty scene. It has white ambient light, a black background, Phong
-    /// highlights, a `max_depth` of 5 and a `min_weight` of 1/255.
+    /// highlights, a `max_depth` of 5, a `min_weight` of 1/255 and a linear transfer function.
     pub const fn new(camera: Camera) -> Self {
         Self {
             camera,
@@ -95,6 +100,7 @@ impl Scene<'_> {
             max_depth: 5,
             // 1/255 in Q32, rounded up.
             min_weight: Real::from_bits(0x0101_0102),
+            transfer: Transfer::Linear,
         }
     }
 }

@@ -31,3 +31,4 @@ mod rustdoc_images;
 mod shadow_artifacts;
 mod special_scenes;
 mod surfaces;
+mod transfer;

@@ -14,6 +14,7 @@ mod text;
 
 use embedded_graphics_core::geometry::Size;
 use whitted::observer::{Observer, RayKind, RayNode, Stats};
+use whitted::render::Output;
 use whitted::{Color, PreparedScene, Radiance, Real, Renderer};
 
 /// All rays that contribute to a pixel's color.
@@ -23,6 +24,8 @@ pub struct RayTree {
     pub nodes: Vec<TreeNode>,
     /// Linear color of the pixel.
     pub color: Color<Radiance>,
+    /// Conversion of the color to display colors.
+    pub output: Output,
     /// Numbers of rays by kind.
     pub stats: Stats,
 }
@@ -57,6 +60,7 @@ pub fn trace(scene: &PreparedScene<'_>, size: Size, [x, y]: [u32; 2]) -> Option<
     Some(RayTree {
         nodes,
         color,
+        output: renderer.output(),
         stats,
     })
 }

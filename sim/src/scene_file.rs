@@ -10,6 +10,7 @@
 
 mod alias;
 mod animation;
+mod comment;
 mod counts;
 mod error;
 mod example;

@@ -124,6 +124,11 @@ impl<'b> PreparedScene<'b> {
         self.settings.max_depth
     }
 
+    /// Returns the transfer function with which renderers of the scene start.
+    pub fn transfer(&self) -> scene::Transfer {
+        self.settings.transfer.unwrap_or_default()
+    }
+
     /// Returns the camera, in world units.
     pub fn camera(&self) -> scene::Camera {
         self.settings.authored_camera

@@ -1,6 +1,7 @@
 use crate::archive::{Archive, Fields};
 use crate::geometry::{MAX_EXPONENT, NEAR, Normalization, valid};
 use crate::math::{Color, Factor, Length, Radiance, Real, Unit, Vec3};
+use crate::scene::Transfer;
 use crate::{archive, scene};
 
 /// Greatest number of generations of secondary rays.
@@ -24,6 +25,9 @@ pub(crate) struct Settings {
     pub(crate) exposure: u8,
     pub(crate) max_depth: u8,
     pub(crate) min_weight: Factor,
+    /// Transfer function with which renderers start. It is `None` if a compiled scene has an
+    /// unknown one, which is not valid.
+    pub(crate) transfer: Option<Transfer>,
     /// True if no material of the scene transmits light. Compiled scenes do not store this
     /// field, because decoding computes it.
     pub(crate) is_opaque: bool,
@@ -43,6 +47,7 @@ impl Settings {
             exposure: 0,
             max_depth: 0,
             min_weight: Factor::ZERO,
+            transfer: None,
             is_opaque: false,
         }
     }
@@ -60,6 +65,7 @@ impl Settings {
             && self.exposure < 16
             && self.max_depth <= MAX_DEPTH
             && self.min_weight <= Factor::ONE
+            && self.transfer.is_some()
     }
 }
 
@@ -87,6 +93,13 @@ impl Fields for Settings {
         self.exposure.visit(archive);
         self.max_depth.visit(archive);
         archive::fixed(&mut self.min_weight, archive);
+        let mut transfer = self.transfer.unwrap_or_default() as u8;
+        transfer.visit(archive);
+        self.transfer = match transfer {
+            0 => Some(Transfer::Linear),
+            1 => Some(Transfer::Srgb),
+            _ => None,
+        };
     }
 }
 

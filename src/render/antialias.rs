@@ -138,7 +138,7 @@ impl<'s, 'm, O: Observer> AntialiasedRenderer<'s, 'm, O> {
             samples,
             lines: [even, odd],
             finished: None,
-            output: Output::default(),
+            output: Output::of(scene),
             fingerprint: Fingerprint::default(),
             observer,
         })

@@ -60,7 +60,7 @@ impl<'s, O: Observer> Renderer<'s, O> {
         Self {
             rays: CameraRays::new(&scene.settings.camera, size.width, size.height),
             tracer: ScanlineTracer::new(scene),
-            output: Output::default(),
+            output: Output::of(scene),
             observer,
         }
     }

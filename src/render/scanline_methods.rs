@@ -16,7 +16,8 @@ macro_rules! scanline_methods {
             &mut self.observer
         }
 
-        /// Returns the conversion of linear colors to display colors.
+        /// Returns the conversion of linear colors to display colors. At first, it has the transfer
+        /// function of the scene.
         pub fn output(&self) -> $crate::render::Output {
             self.output
         }

@@ -5,7 +5,7 @@ use std::fmt::{self, Write};
 use embedded_graphics_core::geometry::Point;
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 use whitted::observer::{RayKind, RayNode, Stats};
-use whitted::render::{DisplayColor, Output};
+use whitted::render::DisplayColor;
 use whitted::{Color, Real};
 
 use super::{RayTree, ShadowRay, TreeNode};
@@ -25,7 +25,7 @@ impl RayTree {
     }
 
     fn write_summary(&self, text: &mut String) -> fmt::Result {
-        let rgb = Rgb888::from_radiance(self.color, Point::zero(), Output::default());
+        let rgb = Rgb888::from_radiance(self.color, Point::zero(), self.output);
         let (r, g, b) = (rgb.r(), rgb.g(), rgb.b());
         writeln!(text, "color: {}", format_color(self.color))?;
         writeln!(text, "8 bit: ({r}, {g}, {b})")?;

@@ -9,6 +9,7 @@ pub(super) fn example(key: &str) -> &'static str {
         "model" => r#"model = "phong""#,
         "ambient" => "ambient = [1.0, 1.0, 1.0]",
         "background" => "background = [0.16, 0.33, 0.68]",
+        "transfer" => r#"transfer = "srgb""#,
         "horizon" => "horizon = [0.6, 0.7, 0.8]",
         "zenith" => "zenith = [0.16, 0.33, 0.68]",
         "camera" => {

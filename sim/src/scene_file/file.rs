@@ -19,6 +19,8 @@ pub type Buffer = SceneBuffer<MAX_OBJECTS, MAX_LIGHTS, MAX_MATERIALS>;
 pub struct SceneFile {
     /// Title of the scene.
     pub title: Option<String>,
+    /// Comment at the top of the file, if it has one.
+    pub comment: Option<String>,
     /// Camera and settings of the scene. The lists of lights, materials and objects in this
     /// [`Scene`] are empty.
     pub settings: Scene<'static>,

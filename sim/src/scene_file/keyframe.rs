@@ -40,7 +40,7 @@ pub(super) fn keyframes(
 fn keyframe(value: &Value<'_>, named: &NamedTarget) -> Result<Keyframe, LoadError> {
     let expected = match named.kind {
         ValueKind::Point => "a keyframe [time, [x, y, z]]",
-        ValueKind::Color => "a keyframe [time, [r, g, b]]",
+        ValueKind::Color => "a keyframe [time, COLOR]",
         ValueKind::Number => "a keyframe [time, number]",
         ValueKind::Angles => "a keyframe [time, yaw] or [time, [yaw, pitch]]",
     };

@@ -1,6 +1,8 @@
+use whitted::scene::Transfer;
 use whitted::{Background, Camera, Color, Real, Scene};
 
 use super::animation::animation;
+use super::comment::comment;
 use super::counts::check_counts;
 use super::error::LoadError;
 use super::file::SceneFile;
@@ -44,6 +46,7 @@ pub(super) fn scene_file(source: &Source<'_>) -> Result<SceneFile, LoadError> {
         .transpose()?;
     let file = SceneFile {
         title: title.map(str::to_owned),
+        comment: comment(source.text),
         settings,
         lights: lights.into_iter().map(|it| it.light).collect(),
         materials,
@@ -85,6 +88,14 @@ fn settings(table: &Table<'_>) -> Result<Scene<'static>, LoadError> {
     if let Some(value) = table.get("background") {
         scene.background = background(&value)?;
     }
+    if let Some(value) = table.get("transfer") {
+        let choices = [("linear", Transfer::Linear), ("srgb", Transfer::Srgb)];
+        scene.transfer = value.choice(
+            &choices,
+            "a transfer function",
+            "the transfer functions are",
+        )?;
+    }
     Ok(scene)
 }
 
@@ -102,10 +113,11 @@ fn camera(value: &Value<'_>) -> Result<Camera, LoadError> {
 }
 
 fn background(value: &Value<'_>) -> Result<Background, LoadError> {
-    if value.node.get_ref().is_array() {
+    let node = value.node.get_ref();
+    if node.is_array() || node.is_str() {
         return value.color().map(Background::Solid);
     }
-    let expected = "a color or { horizon = [r, g, b], zenith = [r, g, b] }";
+    let expected = "a color or { horizon = COLOR, zenith = COLOR }";
     let table = Table::open_any(value, expected, BACKGROUND.name)?;
     table.reject_unknown(BACKGROUND.name, BACKGROUND.keys)?;
     let color = |key| -> Result<Color<Real>, LoadError> { table.need(key)?.color() };

@@ -19,6 +19,7 @@ pub(super) const SCENE: TableSchema = TableSchema {
         "shading",
         "ambient",
         "background",
+        "transfer",
         "camera",
         "lights",
         "materials",

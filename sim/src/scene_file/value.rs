@@ -112,9 +112,15 @@ impl<'a> Value<'a> {
         Ok(Vec3::new(x, y, z))
     }
 
-    /// Reads a color `[r, g, b]`.
+    /// Reads a color: a linear color `[r, g, b]` or an sRGB color `"#rrggbb"`.
     pub(super) fn color(&self) -> Result<Color<Real>, LoadError> {
-        let [r, g, b] = self.numbers("a color [r, g, b]")?;
+        if let DeValue::String(text) = self.node.get_ref() {
+            return hexadecimal(text).ok_or_else(|| {
+                self.error(format!("`{}` is not a color", excerpt(text)))
+                    .help("write six hexadecimal digits, such as \"#c04020\", or [r, g, b]")
+            });
+        }
+        let [r, g, b] = self.numbers("a color [r, g, b] or \"#rrggbb\"")?;
         Ok(Color::new(r, g, b))
     }
 
@@ -227,4 +233,18 @@ fn parse_decimal(text: &str) -> Result<Real, ()> {
 
 fn parse_integer(integer: &DeInteger) -> Result<i64, ()> {
     i64::from_str_radix(integer.as_str(), integer.radix()).map_err(drop)
+}
+
+/// Parses an sRGB color: `#` and two hexadecimal digits for each channel, or one digit that stands
+/// for two equal ones.
+fn hexadecimal(text: &str) -> Option<Color<Real>> {
+    let digits = text.strip_prefix('#')?;
+    let digits: Option<Vec<_>> = digits.chars().map(|digit| digit.to_digit(16)).collect();
+    let [r, g, b] = match digits?[..] {
+        [r, g, b] => [r, g, b].map(|digit| 17 * digit),
+        [r, s, g, h, b, c] => [16 * r + s, 16 * g + h, 16 * b + c],
+        _ => return None,
+    };
+    let [r, g, b] = [r, g, b].map(|level| level as u8);
+    Some(Color::srgb(r, g, b))
 }

@@ -256,7 +256,7 @@ fn displays_and_antialiasing_apply_to_animations_and_galleries() -> Outcome {
     let looks: [&[&str]; 4] = [
         &["--size", "40x30"],
         &["--size", "40x30", "--antialias", "4"],
-        &["--size", "40x30", "--transfer", "srgb"],
+        &["--size", "40x30", "--transfer", "linear"],
         &["--display", "ssd1306"],
     ];
     let mut pictures = Vec::new();

@@ -140,7 +140,7 @@ fn dither_transfer_and_antialiasing_change_the_picture() -> Outcome {
     for options in [
         &[][..],
         &["--dither", "off"],
-        &["--transfer", "srgb"],
+        &["--transfer", "linear"],
         &["--antialias", "4"],
         &["--antialias", "16"],
     ] {

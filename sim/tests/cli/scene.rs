@@ -70,7 +70,8 @@ rays: 4: 1 camera, 1 reflected, 1 transmitted, 1 shadow
 fn gallery_has_pictures_page_and_sheet() -> Outcome {
     let here = Directory::new("gallery")?;
     let camera = "camera = { eye = [0, 0, 1], look_at = [0, 0, 0], fovy_deg = 33 }\n";
-    let red = format!("title = \"R < G\"\nbackground = [1, 0, 0]\n{camera}");
+    let comment = "# Figure 3 of a book: one color & no object.\n";
+    let red = format!("{comment}title = \"R < G\"\nbackground = [1, 0, 0]\n{camera}");
     let green = format!("background = [0, 1, 0]\n{camera}");
     fs::write(here.0.join("red.toml"), red)?;
     fs::write(here.0.join("green.toml"), green)?;
@@ -89,27 +90,32 @@ fn gallery_has_pictures_page_and_sheet() -> Outcome {
     );
 
     let sheet = png16::read(out.join("contact-sheet.png"))?;
-    assert_eq!((sheet.width, sheet.height), (2 * 160 + 3 * 8, 120 + 2 * 8));
+    assert_eq!((sheet.width, sheet.height), (2 * 128 + 3 * 8, 96 + 2 * 8));
     let at = |x: usize, y: usize| sheet.pixels[y * sheet.width as usize + x];
     let (red, green) = (Color::new(0xffff, 0, 0), Color::new(0, 0xffff, 0));
     assert_eq!(
-        [at(8, 8), at(167, 127), at(176, 8), at(335, 127)],
+        [at(8, 8), at(135, 103), at(144, 8), at(271, 103)],
         [red, red, green, green]
     );
     let between = [
         at(7, 8),
-        at(168, 8),
-        at(175, 8),
-        at(336, 8),
+        at(136, 8),
+        at(143, 8),
+        at(272, 8),
         at(8, 7),
-        at(8, 128),
+        at(8, 104),
     ];
     assert_eq!(between, [Color::new(0x2020, 0x2020, 0x2020); 6]);
 
     let page = fs::read_to_string(out.join("index.html"))?;
-    assert!(page.contains("<figcaption>R &lt; G\n    <small>8x6, 48 rays, <a href=\"red.png\">"));
+    let caption = "<figcaption><strong>R &lt; G</strong>
+    <p>One color &amp; no object.</p>
+    <small>Figure 3 of a book</small>
+    <small>8x6, 48 rays, scene <code>red.toml</code></small>
+    <small><code>cargo sim render red.toml</code></small></figcaption>";
+    assert!(page.contains(caption), "{page}");
     // A scene without a title is labeled with its name.
-    assert!(page.contains("<figcaption>green\n"));
+    assert!(page.contains("<figcaption><strong>green</strong>\n"));
     assert!(page.find("red.png") < page.find("green.png"));
     Ok(())
 }

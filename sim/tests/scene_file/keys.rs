@@ -2,19 +2,20 @@
 
 use std::error::Error;
 
-use whitted::scene::{Axis, ClipBox, SpecularModel};
+use whitted::scene::{Axis, ClipBox, SpecularModel, Transfer};
 use whitted::{Background, Color, Light, MaterialId, Real, Shape, Texture, vec3};
 use whitted_sim::scene_file;
 
 use crate::real;
 
-const FULL: &str = r#"
+const FULL: &str = r##"
 title = "All keys"
 max_depth = 7
 min_weight = 0.25
 shading = "blinn-phong"
 ambient = [0.5, 1, 2]
-background = { horizon = [0.5, 0.5, 0.5], zenith = [0, 0, 1] }
+background = { horizon = [0.5, 0.5, 0.5], zenith = "#0000ff" }
+transfer = "srgb"
 
 [camera]
 eye = [1, 2, 3]
@@ -24,7 +25,7 @@ fovy_deg = 0x20
 
 [[lights]]
 position = [1, 2, 3]
-color = [1, 1, 0.5]
+color = "#c04020"
 
 [[lights]]
 position = [3, 2, 1]
@@ -58,7 +59,7 @@ type = "sphere"
 center = [0, 1, 0]
 radius = 0.5
 material = "first-by-letter"
-"#;
+"##;
 
 fn color(r: &str, g: &str, b: &str) -> Color<Real> {
     Color::new(real(r), real(g), real(b))
@@ -71,6 +72,7 @@ fn reads_every_key() -> Result<(), Box<dyn Error>> {
     assert_eq!(file.title.as_deref(), Some("All keys"));
     assert_eq!((scene.max_depth, scene.min_weight), (7, real("0.25")));
     assert_eq!(scene.shading, SpecularModel::BlinnPhong);
+    assert_eq!(scene.transfer, Transfer::Srgb);
     assert_eq!(scene.ambient, color("0.5", "1", "2"));
     let (horizon, zenith) = (Color::gray(real("0.5")), color("0", "0", "1"));
     assert_eq!(scene.background, Background::Gradient { horizon, zenith });
@@ -79,7 +81,7 @@ fn reads_every_key() -> Result<(), Box<dyn Error>> {
     assert_eq!(scene.camera.up, vec3!(0, 0, 1));
     assert_eq!(scene.camera.fovy_deg, real("32"));
     let lights = [
-        Light::point(vec3!(1, 2, 3), color("1", "1", "0.5")),
+        Light::point(vec3!(1, 2, 3), Color::srgb(0xc0, 0x40, 0x20)),
         Light {
             position: vec3!(3, 2, 1),
             diffuse: color("1", "0", "0"),

@@ -5,7 +5,7 @@ mod shapes;
 
 use std::error::Error;
 
-use whitted::Real;
+use whitted::{Background, Color, Real};
 use whitted_sim::scene_file::{self, nearest};
 
 const CAMERA: &str = "camera = { eye = [0, 0, 1], look_at = [0, 0, 0], fovy_deg = 33 }\n";
@@ -35,6 +35,19 @@ fn rounds_decimals_to_nearest() -> Result<(), Box<dyn Error>> {
     ] {
         let file = scene_file::parse("n.toml", &format!("min_weight = {decimal}\n{CAMERA}"))?;
         assert_eq!(file.scene().min_weight, real(decimal), "{decimal}");
+    }
+    Ok(())
+}
+
+#[test]
+fn one_hexadecimal_digit_stands_for_two() -> Result<(), Box<dyn Error>> {
+    let background = |color: &str| {
+        let text = format!("background = \"{color}\"\n{CAMERA}");
+        Ok::<_, Box<dyn Error>>(scene_file::parse("c.toml", &text)?.scene().background)
+    };
+    let orange = Background::Solid(Color::srgb(0xff, 0xaa, 0x00));
+    for color in ["#fa0", "#FA0", "#ffaa00", "#FFaa00"] {
+        assert_eq!(background(color)?, orange, "{color}");
     }
     Ok(())
 }

@@ -2,17 +2,7 @@
 //! 2^16.
 
 use crate::math::Radiance;
-
-/// Transfer function from linear radiance to display values.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Transfer {
-    /// Display values are proportional to radiance.
-    #[default]
-    Linear,
-    /// Display values are encoded as sRGB (IEC 61966-2-1). PC monitors and some other displays
-    /// expect sRGB.
-    Srgb,
-}
+use crate::scene::Transfer;
 
 impl Transfer {
     /// Clips a radiance to 0..=1 and converts it to a display value from 0 to 2^16.

@@ -5,7 +5,9 @@ use std::time::Duration;
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics_simulator::{OutputImage, SimulatorDisplay};
-use whitted::render::{AaSample, AntialiasedRenderer, Output, RenderProgress, Step};
+use whitted::render::{
+    AaSample, AntialiasedRenderer, Dither, Output, RenderProgress, Step, Transfer,
+};
 use whitted::{PreparedScene, Renderer};
 
 use whitted_sim::cost::Work;
@@ -20,6 +22,8 @@ use crate::progress::Progress;
 /// A picture on a display, the work that was counted while it was rendered, and the rendering time.
 pub(crate) struct Drawing {
     pub(crate) image: OutputImage<Rgb888>,
+    /// Transfer function with which the picture is encoded.
+    pub(crate) transfer: Transfer,
     pub(crate) work: Work,
     pub(crate) time: Duration,
 }
@@ -28,7 +32,9 @@ pub(crate) struct Drawing {
 #[derive(Clone, Copy)]
 pub(crate) struct Settings {
     pub(crate) display: Display,
-    pub(crate) output: Output,
+    /// Transfer function, or `None` for that of the scene.
+    pub(crate) transfer: Option<Transfer>,
+    pub(crate) dither: Dither,
     pub(crate) passes: Passes,
 }
 
@@ -38,8 +44,17 @@ impl Settings {
     pub(crate) fn new(size: Size, options: DisplayOptions, passes: impl Into<Passes>) -> Self {
         Self {
             display: options.display(size),
-            output: options.output(),
+            transfer: options.transfer(),
+            dither: options.dither(),
             passes: passes.into(),
+        }
+    }
+
+    /// Returns the conversion of the scene's colors to display colors.
+    pub(crate) fn output(&self, scene: &PreparedScene<'_>) -> Output {
+        Output {
+            transfer: self.transfer.unwrap_or(scene.transfer()),
+            dither: self.dither,
         }
     }
 }
@@ -59,6 +74,7 @@ pub(crate) fn draw(scene: &PreparedScene<'_>, settings: &Settings, scale: u32) -
     let time = progress.finish();
     Ok(Drawing {
         image: display.appearance(picture, scale),
+        transfer: settings.output(scene).transfer,
         work,
         time,
     })
@@ -72,10 +88,9 @@ pub(crate) fn draw_frame(
     progress: &mut Progress,
 ) -> Outcome<(SimulatorDisplay<Rgb888>, Work)> {
     let Settings {
-        display,
-        output,
-        passes,
+        display, passes, ..
     } = *settings;
+    let output = settings.output(scene);
     let size = display.size;
     let mut panel = Panel::new(size, display.format);
     let work = match passes.edges.samples() {

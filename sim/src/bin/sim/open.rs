@@ -130,6 +130,19 @@ impl Scene {
         }
     }
 
+    /// Returns the comment at the top of the scene file, if it has one.
+    pub(crate) fn comment(&self) -> Option<&str> {
+        match self {
+            Self::File(file) => file.comment.as_deref(),
+            Self::Compiled { .. } => None,
+        }
+    }
+
+    /// Returns true if the scene has an animation.
+    pub(crate) fn is_animated(&self) -> bool {
+        matches!(self, Self::File(file) if file.animation.is_some())
+    }
+
     /// Returns the type and material of an object, or `None` if the scene is compiled. Compiled
     /// scenes have no names.
     pub(crate) fn describe(&self, object: u16) -> Option<String> {

@@ -45,7 +45,8 @@ fn draw(mut scene: PreparedScene<'_>) {
     }
     black_box(scene.set_max_depth(black_box(0)).is_ok());
     black_box(scene.set_min_weight(black_box(Real::ZERO)).is_ok());
-    black_box((scene.max_depth(), scene.counts(), scene.encoded_len()));
+    black_box((scene.max_depth(), scene.transfer()));
+    black_box((scene.counts(), scene.encoded_len()));
     let mut bytes = [0; 64];
     let out: &mut [u8] = black_box(&mut bytes);
     black_box(scene.encode(out));
@@ -66,7 +67,9 @@ pub(crate) fn build() {
     for object in objects {
         black_box(builder.object(object).is_ok());
     }
-    for color in [color(), Color::gray(number())] {
+    let level = || black_box(0);
+    let srgb = Color::srgb(level(), level(), level());
+    for color in [color(), Color::gray(number()), srgb] {
         black_box(builder.light(Light::point(point(), color)).is_ok());
     }
     black_box(builder.material(*black_box(&Material::default())).is_ok());

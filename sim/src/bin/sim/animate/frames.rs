@@ -58,7 +58,7 @@ impl<'a> Frames<'a> {
 
     /// Returns true if the user did not turn dithering off.
     pub(super) fn is_dithered(&self) -> bool {
-        self.settings.output.dither == whitted::render::Dither::Ordered
+        self.settings.dither == whitted::render::Dither::Ordered
     }
 
     /// Renders the frame with an index.

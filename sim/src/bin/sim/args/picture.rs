@@ -4,7 +4,7 @@
 use clap::{ValueEnum, value_parser};
 use embedded_graphics::geometry::Size;
 use whitted::Real;
-use whitted::render::{Output, SampleCount};
+use whitted::render::SampleCount;
 
 use super::parse::{real, size};
 use crate::display::Display;
@@ -33,9 +33,9 @@ pub(crate) struct DisplayOptions {
     /// Dithering of GIFs and of formats with fewer than 8 bits per channel.
     #[arg(long, value_enum, default_value_t)]
     dither: Dither,
-    /// Encoding of linear light in the display's values.
-    #[arg(long, value_enum, default_value_t)]
-    transfer: Transfer,
+    /// Encoding of linear light in the display's values [default: the scene's].
+    #[arg(long, value_enum)]
+    transfer: Option<Transfer>,
     /// Simulate the size, format and colors of a display. `sim displays` lists the displays.
     #[arg(long, value_name = "NAME", value_parser = Display::named)]
     #[arg(conflicts_with_all = ["size", "format"])]
@@ -49,17 +49,19 @@ impl DisplayOptions {
         self.display.unwrap_or_else(plain)
     }
 
-    /// Returns the transfer function and dithering as the library's [`Output`].
-    pub(crate) fn output(self) -> Output {
-        Output {
-            transfer: match self.transfer {
-                Transfer::Linear => whitted::render::Transfer::Linear,
-                Transfer::Srgb => whitted::render::Transfer::Srgb,
-            },
-            dither: match self.dither {
-                Dither::On => whitted::render::Dither::Ordered,
-                Dither::Off => whitted::render::Dither::Off,
-            },
+    /// Returns the transfer function, or `None` for that of the scene.
+    pub(crate) fn transfer(self) -> Option<whitted::render::Transfer> {
+        self.transfer.map(|transfer| match transfer {
+            Transfer::Linear => whitted::render::Transfer::Linear,
+            Transfer::Srgb => whitted::render::Transfer::Srgb,
+        })
+    }
+
+    /// Returns the dithering.
+    pub(crate) fn dither(self) -> whitted::render::Dither {
+        match self.dither {
+            Dither::On => whitted::render::Dither::Ordered,
+            Dither::Off => whitted::render::Dither::Off,
         }
     }
 }
@@ -161,10 +163,9 @@ enum Dither {
     Off,
 }
 
-#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+#[derive(Clone, Copy, Debug, ValueEnum)]
 enum Transfer {
     /// Values proportional to light
-    #[default]
     Linear,
     /// Values encoded as sRGB
     Srgb,

@@ -13,7 +13,8 @@ pub(super) struct Options {
     pub(super) displays: Cycle<Display>,
     pub(super) orders: Cycle<Order>,
     pub(super) dithers: Cycle<Dither>,
-    pub(super) transfers: Cycle<Transfer>,
+    /// Transfer function, or `None` for that of the scene.
+    pub(super) transfers: Cycle<Option<Transfer>>,
     /// Rays per antialiased pixel, or `None` without antialiasing.
     pub(super) edges: Cycle<Option<SampleCount>>,
     pub(super) boards: Cycle<Board>,
@@ -28,7 +29,7 @@ impl Options {
             displays: Cycle::new(plain, DISPLAYS).starting_at(&display.unwrap_or(plain)),
             orders: Cycle::new(Order::Progressive, [Order::Scanlines]),
             dithers: Cycle::new(Dither::Ordered, [Dither::Off]),
-            transfers: Cycle::new(Transfer::Linear, [Transfer::Srgb]),
+            transfers: Cycle::new(None, [Some(Transfer::Linear), Some(Transfer::Srgb)]),
             edges: Cycle::new(None, [Some(SampleCount::Four), Some(SampleCount::Sixteen)]),
             boards: Cycle::new(board, boards),
         }
@@ -44,10 +45,10 @@ impl Options {
         display.format = formats[next];
     }
 
-    /// Returns the transfer function and dithering.
-    pub(super) fn output(&self) -> Output {
+    /// Returns the transfer function and dithering. `scene` is the transfer function of the scene.
+    pub(super) fn output(&self, scene: Transfer) -> Output {
         Output {
-            transfer: *self.transfers.current(),
+            transfer: self.transfers.current().unwrap_or(scene),
             dither: *self.dithers.current(),
         }
     }
@@ -61,8 +62,9 @@ impl Options {
             Dither::Off => "no dither",
         };
         let transfer = match self.transfers.current() {
-            Transfer::Linear => "linear",
-            Transfer::Srgb => "sRGB",
+            None => "the scene's transfer",
+            Some(Transfer::Linear) => "linear",
+            Some(Transfer::Srgb) => "sRGB",
         };
         let order = match self.orders.current() {
             Order::Progressive => "progressive",

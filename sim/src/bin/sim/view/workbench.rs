@@ -125,8 +125,10 @@ impl Workbench {
 
     /// Draws the next step of the picture. Returns false if the picture is complete.
     pub(super) fn draw_step(&mut self) -> bool {
-        let output = self.options.output();
-        !self.frame.is_complete() && self.with_scene(|frame, scene| frame.step(scene, output))
+        !self.frame.is_complete()
+            && self.with_scene(|frame, scene, options| {
+                frame.step(scene, options.output(scene.transfer()));
+            })
     }
 
     /// Advances the time of an animation. If the current frame is complete, starts the next one.
@@ -185,7 +187,7 @@ impl Workbench {
     /// with it.
     fn camera(&mut self) -> Option<Camera> {
         let mut camera = None;
-        self.with_scene(|_, scene| camera = Some(scene.camera()));
+        self.with_scene(|_, scene, _| camera = Some(scene.camera()));
         camera
     }
 
@@ -210,13 +212,15 @@ impl Workbench {
             true => Order::Scanlines,
             false => *self.options.orders.current(),
         };
-        let edges = *self.options.edges.current();
-        self.with_scene(|frame, scene| frame.restart(scene, order, edges))
+        self.with_scene(|frame, scene, options| {
+            frame.restart(scene, order, *options.edges.current());
+        })
     }
 
-    /// Prepares the frame of the scene, and calls a function with the picture and this frame.
-    /// Returns false if the frame cannot be prepared, or if the scene's file was never valid.
-    fn with_scene(&mut self, call: impl FnOnce(&mut Frame, &PreparedScene<'_>)) -> bool {
+    /// Prepares the frame of the scene, and calls a function with the picture, this frame and the
+    /// options. Returns false if the frame cannot be prepared, or if the scene's file was never
+    /// valid.
+    fn with_scene(&mut self, call: impl FnOnce(&mut Frame, &PreparedScene<'_>, &Options)) -> bool {
         let Some(compiled) = self.sources.current().compiled() else {
             return false;
         };
@@ -225,7 +229,7 @@ impl Workbench {
             let mut scene = animation.frame(self.clock.frame())?;
             open::apply_overrides(&mut scene, &self.quality)?;
             self.viewpoint.apply(&mut scene)?;
-            call(&mut self.frame, &scene);
+            call(&mut self.frame, &scene, &self.options);
             Ok(())
         };
         let drawn = draw();

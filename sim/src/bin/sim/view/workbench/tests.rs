@@ -70,7 +70,8 @@ fn rendered(path: &Path, display: &str) -> Outcome<Vec<Rgb888>> {
 fn pixels(scene: &PreparedScene<'_>, display: &str) -> Outcome<Vec<Rgb888>> {
     let settings = Settings {
         display: Display::named(display)?,
-        output: DisplayOptions::default().output(),
+        transfer: None,
+        dither: whitted::render::Dither::Ordered,
         passes: Passes::default(),
     };
     let (picture, _) = draw_frame(scene, &settings, &mut Progress::new(0_u32))?;
@@ -202,7 +203,7 @@ fn keys_select_scenes_and_display_options() -> Outcome {
     let title = |workbench: &Workbench| workbench.status().title();
     assert_eq!(
         title(&workbench),
-        "a (1 of 2) on ssd1306 128x64 binary, dither, linear, no antialiasing, progressive"
+        "a (1 of 2) on ssd1306 128x64 binary, dither, the scene's transfer, no antialiasing, progressive"
     );
     use Key::{Antialiasing, Display, Dither, Format, NextScene, Order, Transfer};
     for key in [
@@ -218,7 +219,7 @@ fn keys_select_scenes_and_display_options() -> Outcome {
     }
     assert_eq!(
         title(&workbench),
-        "b (2 of 2) on ssd0323 128x64 gray2, no dither, sRGB, 4 rays at edges, line by line"
+        "b (2 of 2) on ssd0323 128x64 gray2, no dither, linear, 4 rays at edges, line by line"
     );
     workbench.press(Key::PreviousScene);
     assert!(title(&workbench).starts_with("a (1 of 2) "));
