@@ -49,10 +49,13 @@ pub(crate) fn gallery(options: &Gallery) -> Outcome {
         let drawing = render(&scene, &settings)?;
         write_png(&drawing.image, png)?;
         report::wrote(Console::Stdout, &output)?;
-        sheet.add(&drawing.image)?;
+        sheet.add(&drawing.image, drawing.transfer)?;
         entries.push(Entry {
             title: scene.title().unwrap_or(&name).to_owned(),
+            comment: scene.comment().unwrap_or_default().to_owned(),
             file,
+            scene: path.clone(),
+            is_animated: scene.is_animated(),
             rays: rays(&drawing.work.stats),
         });
     }

@@ -3,6 +3,7 @@ use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics_simulator::{OutputImage, OutputSettings, SimulatorDisplay};
+use whitted::render::Transfer;
 
 use super::thumbnail::thumbnail;
 use crate::outcome::Outcome;
@@ -10,9 +11,9 @@ use crate::outcome::Outcome;
 /// File name of the contact sheet.
 pub(super) const FILE: &str = "contact-sheet.png";
 
-const COLUMNS: u32 = 5;
+const COLUMNS: u32 = 6;
 /// Largest size of a thumbnail.
-const MAX_THUMBNAIL: Size = Size::new(160, 120);
+const MAX_THUMBNAIL: Size = Size::new(128, 96);
 const MARGIN: u32 = 8;
 const BACKGROUND: Rgb888 = Rgb888::new(32, 32, 32);
 
@@ -41,16 +42,16 @@ impl Sheet {
         }
     }
 
-    /// Adds the thumbnail of the next picture to the sheet.
-    pub(super) fn add(&mut self, image: &OutputImage<Rgb888>) -> Outcome {
+    /// Adds the thumbnail of the next picture to the sheet. `transfer` is the encoding of the
+    /// picture.
+    pub(super) fn add(&mut self, image: &OutputImage<Rgb888>, transfer: Transfer) -> Outcome {
         let cell = Size::new(self.count % self.columns, self.count / self.columns);
         let margin = Size::new_equal(MARGIN);
         let corner = Point::zero() + cell.component_mul(self.thumbnail + margin) + margin;
         let area = Rectangle::new(corner, self.thumbnail);
         self.count += 1;
-        Ok(self
-            .display
-            .fill_contiguous(&area, thumbnail(image, self.thumbnail))?)
+        let pixels = thumbnail(image, transfer, self.thumbnail);
+        Ok(self.display.fill_contiguous(&area, pixels)?)
     }
 
     /// Returns the contact sheet as a picture.
@@ -84,8 +85,8 @@ mod tests {
     #[test]
     fn thumbnails_keep_the_aspect_ratio() {
         assert_eq!(thumbnail_size(Size::new(320, 240)), MAX_THUMBNAIL);
-        assert_eq!(thumbnail_size(Size::new(128, 64)), Size::new(160, 80));
-        assert_eq!(thumbnail_size(Size::new(100, 200)), Size::new(60, 120));
-        assert_eq!(thumbnail_size(Size::new(8192, 1)), Size::new(160, 1));
+        assert_eq!(thumbnail_size(Size::new(128, 64)), Size::new(128, 64));
+        assert_eq!(thumbnail_size(Size::new(100, 200)), Size::new(48, 96));
+        assert_eq!(thumbnail_size(Size::new(8192, 1)), Size::new(128, 1));
     }
 }
