@@ -17,11 +17,7 @@ type Outcome = Result<(), Box<dyn std::error::Error>>;
 const BACKGROUND: Background = Background::Solid(Color::srgb(0xc0, 0x40, 0x20));
 
 fn scene(transfer: Transfer) -> Scene<'static> {
-    let camera = Camera::new(
-        vec3!(0, 2, 8),
-        vec3!(0, 1, 0),
-        Real::ONE,
-    );
+    let camera = Camera::new(vec3!(0, 2, 8), vec3!(0, 1, 0), Real::ONE);
     Scene {
         background: BACKGROUND,
         transfer,
