@@ -2,7 +2,7 @@
 
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
-use whitted::animation::{AnimatedScene, Animation};
+use whitted::animation::Animation;
 use whitted::codec::Crc32;
 use whitted::render::{AaSample, AntialiasedRenderer, Output, SampleCount};
 use whitted::scene::{SceneItem, Transfer};
@@ -82,10 +82,17 @@ fn frames_of_an_animation_keep_the_transfer() -> Outcome {
         looping: true,
         tracks: &[],
     };
-    let mut animated = AnimatedScene::<1, 1>::new();
+    let (mut buffer, mut other) = (Buffer::new(), Buffer::new());
     let scene = scene(Transfer::Srgb);
-    let frame = animated.frame(&scene, &animation, Real::ZERO)?;
-    assert_eq!(frame.transfer, Transfer::Srgb);
+    let mut prepared = buffer.prepare_animation(&scene, &animation)?;
+    assert_eq!(
+        drawn(&prepared.frame(Real::ZERO)?)?,
+        Rgb888::new(0xc0, 0x40, 0x20)
+    );
+    let mut bytes = vec![0; prepared.encoded_len()];
+    assert_eq!(prepared.encode(&mut bytes), Some(bytes.len()));
+    let mut decoded = other.decode_animation(&bytes)?;
+    assert_eq!(decoded.frame(Real::ZERO)?.transfer(), Transfer::Srgb);
     Ok(())
 }
 
