@@ -25,5 +25,7 @@ fn main() -> ! {
     {
         draw(&scene);
     }
-    loop {}
+    loop {
+        core::hint::spin_loop();
+    }
 }

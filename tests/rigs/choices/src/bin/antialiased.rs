@@ -18,5 +18,7 @@ fn main() -> ! {
     {
         let Ok(()) = renderer.draw(&mut display());
     }
-    loop {}
+    loop {
+        core::hint::spin_loop();
+    }
 }

@@ -9,5 +9,7 @@ use cortex_m_rt::entry;
 #[entry]
 fn main() -> ! {
     prepare_and_draw(&SCENE);
-    loop {}
+    loop {
+        core::hint::spin_loop();
+    }
 }

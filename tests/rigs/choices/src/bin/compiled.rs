@@ -11,5 +11,7 @@ fn main() -> ! {
     if let Ok(scene) = Buffer::new().decode(compiled()) {
         draw(&scene);
     }
-    loop {}
+    loop {
+        core::hint::spin_loop();
+    }
 }

@@ -25,5 +25,7 @@ fn main() -> ! {
         Ok(scene) => draw(&scene),
         Err(error) => _ = write!(Output, "{error}"),
     }
-    loop {}
+    loop {
+        core::hint::spin_loop();
+    }
 }

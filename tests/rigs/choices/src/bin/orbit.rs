@@ -14,5 +14,7 @@ fn main() -> ! {
             draw(&scene);
         }
     }
-    loop {}
+    loop {
+        core::hint::spin_loop();
+    }
 }

@@ -20,5 +20,7 @@ fn main() -> ! {
         }));
         let Ok(()) = renderer.draw(&mut display());
     }
-    loop {}
+    loop {
+        core::hint::spin_loop();
+    }
 }

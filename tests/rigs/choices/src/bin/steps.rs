@@ -20,5 +20,7 @@ fn main() -> ! {
             let Ok(()) = renderer.step(&mut progress, Step::Rays(black_box(800)), &mut display);
         }
     }
-    loop {}
+    loop {
+        core::hint::spin_loop();
+    }
 }

@@ -4,7 +4,7 @@ use std::{env, fs, process};
 use embedded_graphics::prelude::*;
 
 use super::*;
-use crate::args::{DisplayOptions, Passes};
+use crate::args::Passes;
 use crate::draw::{Settings, draw_frame};
 use crate::open::Scene;
 use crate::progress::Progress;
