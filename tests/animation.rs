@@ -1,6 +1,7 @@
 //! Keyframe animation: interpolation, loops, targets, scale, compiled animations and rejected
 //! animations.
 
+use embedded_graphics::prelude::*;
 use whitted::animation::{
     Animation, AnimationError, AnimationProblem, Interpolation, Keyframe, Target, Track,
 };
@@ -9,6 +10,7 @@ use whitted::{
     Background, Camera, Color, Light, Material, MaterialId, Object, PreparedScene, Real, Scene,
     SceneBuffer, SceneError, Shape, Texture, Vec3, color, real, vec3,
 };
+use whitted_sim::{render, scene_file};
 
 use Interpolation::{Linear, Smooth};
 
@@ -626,4 +628,24 @@ fn rejects_invalid_animations() {
         rejected("3", fovy, &[late, key]).to_string(),
         "track 0: keyframe 1 is earlier than its predecessor"
     );
+}
+
+/// A later frame sets flags of objects, for example that no object hides them from a light. An
+/// earlier frame that is drawn again must not keep these flags.
+#[test]
+fn frames_do_not_depend_on_the_frames_before() {
+    let path = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/tests/scenes/bouncing_ball.toml"
+    );
+    let bytes = scene_file::compile(path).unwrap();
+    let [mut buffer, mut other] = [(); 2].map(|()| Box::new(scene_file::Buffer::new()));
+    let mut animation = buffer.decode_animation(&bytes).unwrap();
+    let size = Size::new(128, 64);
+    for time in [real!(1.125), real!(0), real!(3.5), real!(0.25)] {
+        let drawn = render::linear(&animation.frame(time).unwrap(), size);
+        let mut alone = other.decode_animation(&bytes).unwrap();
+        let expected = render::linear(&alone.frame(time).unwrap(), size);
+        assert!(drawn.pixels == expected.pixels, "at {time} s");
+    }
 }

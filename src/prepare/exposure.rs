@@ -21,9 +21,8 @@ pub(crate) fn exposure(scene: &Scene<'_>, brightest: impl Fn(u16, &Light) -> Lig
     let mut exponent = 0;
     let mut fit = |color, white| fit(&mut exponent, color, white);
     let lights = || {
-        (0..)
-            .zip(scene.lights)
-            .map(|(index, light)| brightest(index, light))
+        let lights = scene.lights.iter().zip(0..);
+        lights.map(|(light, index)| brightest(index, light))
     };
     for light in lights() {
         fit(light.diffuse, Real::ONE);

@@ -100,6 +100,10 @@ impl<'b> PreparedScene<'b> {
             unbounded,
             light_cones,
         } = lists;
+        // An earlier frame of an animation may have set flags that no longer hold.
+        for object in objects.iter_mut() {
+            object.flags = object.shape.flags();
+        }
         culling::list_objects(objects, bounded, groups, unbounded);
         culling::mark_isolated(objects, materials);
         culling::build_light_cones(lights, objects, unbounded, light_cones);
