@@ -97,18 +97,24 @@ fn view_follows_keys_and_files() -> Outcome {
     let saved = Shot::read(&here.0.join("one-ssd0323.png"))?;
     assert!(saved == here.rendered(&["one.toml", "--display", "ssd0323"])?);
 
-    // Dithering and transfer function.
-    for (key, option) in [('t', ["--dither", "off"]), ('g', ["--transfer", "srgb"])] {
+    // Dithering and transfer function. Two more presses of `g` select sRGB and then the transfer
+    // function of the scene, which is sRGB too.
+    for (key, option, back) in [
+        ('t', ["--dither", "off"], 1),
+        ('g', ["--transfer", "linear"], 2),
+    ] {
         let other = here.rendered(&[&["one.toml"][..], &on_oled, &option].concat())?;
         assert!(other != oled);
         window.press(key.into())?;
         window.wait_for("the changed output", |shot| shot.shows(&other))?;
-        window.press(key.into())?;
-        window.wait_for("the previous output", |shot| shot.shows(&oled))?;
+        for _ in 0..back {
+            window.press(key.into())?;
+            window.wait_for("the previous output", |shot| shot.shows(&oled))?;
+        }
     }
     let title = |antialiasing| {
         format!(
-            "one (1 of 2) on ssd0323 128x64 gray4, dither, linear, {antialiasing}, line by line"
+            "one (1 of 2) on ssd0323 128x64 gray4, dither, the scene's transfer, {antialiasing}, line by line"
         )
     };
     window.press('o'.into())?;
